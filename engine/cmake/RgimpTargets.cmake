@@ -1,0 +1,14 @@
+# What every RGIMP target shares: warnings and sanitizers.
+function(rgimp_configure target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+                                           -Wno-sign-conversion)
+  if(RGIMP_WARNINGS_AS_ERRORS)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(RGIMP_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=${RGIMP_SANITIZE}
+                                             -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(${target} PUBLIC -fsanitize=${RGIMP_SANITIZE})
+  endif()
+endfunction()

@@ -1,0 +1,139 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// A case: everything one simulation is made of, as plain values in SI units (m, kg, s, Pa).
+/// Vectors always have three components; in two dimensions the third is zero.
+/// y is up: top is +y, bottom -y, right +x, left -x. Tension is positive.
+namespace rgimp {
+
+using Vector = Eigen::Vector3d;
+
+/// Background grid. Grid lines pass through the bodies' lower bounding corner, or through
+/// `min` where it is given.
+struct GridSettings {
+  double cell_size = 0.0;     ///< m, edge of a square cell
+  std::optional<Vector> min;  ///< m, lower corner; default: the bodies and five cells more
+  std::optional<Vector> max;  ///< m, upper corner, rounded up to whole cells; default likewise
+};
+
+enum class BodyShape { box, disk };
+
+struct Body {
+  BodyShape shape = BodyShape::box;
+  Vector center = Vector::Zero();    ///< m
+  Vector size = Vector::Zero();      ///< m; box: edges; disk: size.x() is the diameter
+  std::string material;              ///< a key of Case::materials
+  int particles_per_cell = 2;        ///< per axis, 2 to 4, the same for all bodies
+  Vector velocity = Vector::Zero();  ///< m/s, initial
+};
+
+enum class FlawShape { slot, circle, box };
+enum class SlotEnds { square, round };
+
+/// A hole: particles whose centre lies inside are left out of every body.
+struct Flaw {
+  FlawShape shape = FlawShape::slot;
+  Vector center = Vector::Zero();    ///< m
+  double length = 0.0;               ///< m, slot: tip to tip; circle: the diameter
+  double width = 0.0;                ///< m, slot only
+  double angle = 0.0;                ///< degrees from +x, counterclockwise; slot only
+  SlotEnds ends = SlotEnds::square;  ///< slot only
+  Vector size = Vector::Zero();      ///< m, box only: edges
+};
+
+/// The paper's section 3.1. Equations are given in failure_limits.hpp.
+enum class Criterion {
+  mohr_coulomb,
+  hydrostatic_tension,
+  principal_stress,
+  shear_stress,
+  principal_strain,
+  shear_strain
+};
+
+/// What a failed point still carries, the paper's section 3.2: pressure but no tension, nothing,
+/// or a pressure kept inside a window.
+enum class Treatment { no_tension, stress_free, pressure_window };
+
+/// Failure of a material; each criterion reads only the strengths it names.
+struct Failure {
+  Criterion criterion = Criterion::mohr_coulomb;
+  double cohesion = 0.0;          ///< Pa, mohr_coulomb
+  double friction_angle = 0.0;    ///< degrees, mohr_coulomb
+  double tensile_strength = 0.0;  ///< Pa, mohr_coulomb, hydrostatic_tension, principal_stress
+  double shear_strength = 0.0;    ///< Pa, shear_stress
+  double tensile_strain = 0.0;    ///< 1, principal_strain
+  double shear_strain = 0.0;      ///< 1, shear_strain
+  Treatment treatment = Treatment::no_tension;
+  double pressure_min = 0.0;  ///< Pa, <= 0 (tension), pressure_window only
+  double pressure_max = 0.0;  ///< Pa, pressure_window only
+};
+
+struct Material {
+  double density = 0.0;            ///< kg/m3
+  double youngs_modulus = 0.0;     ///< Pa
+  double poisson_ratio = 0.0;      ///< 1
+  std::optional<Failure> failure;  ///< none: never fails
+};
+
+enum class Side { top, bottom, left, right };
+enum class Lateral { slip, stick };
+
+/// A rigid plate that prescribes the normal velocity of all nodes at or beyond the bodies' end.
+struct Platen {
+  Side side = Side::top;
+  double speed = 0.0;                ///< m/s, towards the specimen; negative pulls, 0 holds
+  double ramp = 0.0;                 ///< s, smooth step from rest to `speed`
+  Lateral lateral = Lateral::slip;   ///< stick: the other components are zero
+  std::optional<double> half_width;  ///< m, contact only within it of the bodies' centre
+};
+
+enum class Integrator { musl, usl, usf };
+
+/// Exactly one of `steps` and `duration` is given.
+struct TimeSettings {
+  std::optional<std::int64_t> steps;
+  std::optional<double> duration;  ///< s
+  double step_factor = 0.1;        ///< alpha of Eq. 24, 0 < alpha <= 1
+  Integrator integrator = Integrator::musl;
+};
+
+struct OutputSettings {
+  std::int64_t history_every = 100;              ///< steps; first and last step always
+  std::optional<std::int64_t> snapshot_every;    ///< steps
+  std::vector<std::int64_t> snapshot_steps;      ///< besides; step 0 and the last always
+  std::optional<std::int64_t> checkpoint_every;  ///< steps
+};
+
+/// Where a case came from, so that errors can name the line of a key ("flaw[0].width").
+struct CaseSource {
+  std::filesystem::path path;               ///< empty for a case built in code
+  std::map<std::string, std::size_t> line;  ///< key path -> line in the file
+};
+
+struct Case {
+  std::string title;
+  int dimension = 2;
+  GridSettings grid;
+  std::vector<Body> bodies;
+  std::vector<Flaw> flaws;
+  std::map<std::string, Material> materials;
+  std::vector<Platen> platens;
+  TimeSettings time;
+  double local_damping = 0.0;                    ///< 1, Cundall's beta, 0 <= beta < 1; our addition
+  double quadratic_viscosity = 1.5;              ///< 1, c0 of the bulk viscosity
+  double linear_viscosity = 0.06;                ///< 1, c1 of the bulk viscosity
+  Vector body_acceleration = Vector::Zero();     ///< m/s2
+  OutputSettings output;
+  int threads = 0;                               ///< 0: all the machine has; never changes a bit
+  CaseSource source;
+};
+
+}  // namespace rgimp

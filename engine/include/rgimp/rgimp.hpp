@@ -1,0 +1,7 @@
+#pragma once
+
+#include "rgimp/case.hpp"
+#include "rgimp/case_file.hpp"
+#include "rgimp/error.hpp"
+#include "rgimp/run.hpp"
+#include "rgimp/simulation.hpp"

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rgimp/case.hpp"
+
+namespace rgimp {
+
+enum class FailureMode : std::uint8_t { intact = 0, tension = 1, shear = 2 };
+
+/// One row of history.csv, at the end of a step.
+struct HistoryRow {
+  std::int64_t step = 0;
+  double time = 0.0;              ///< s
+  double closure = 0.0;           ///< m, sum of the platens' displacements towards the specimen
+  double axial_stress = 0.0;      ///< Pa, reaction / (bounding width x thickness), compression > 0
+  double reaction = 0.0;          ///< N (2D: per metre), mean of the opposed platens, compr. > 0
+  double kinetic_energy = 0.0;    ///< J, here and below in 2D per metre of thickness
+  double strain_energy = 0.0;     ///< J, sum of V sigma : C^-1 : sigma / 2
+  double external_work = 0.0;     ///< J, of platens and body force
+  double damping_work = 0.0;      ///< J, taken by local damping
+  double viscous_work = 0.0;      ///< J, taken by bulk viscosity
+  double released_energy = 0.0;   ///< J, strain energy dropped by failure
+  std::int64_t failed_tension = 0;
+  std::int64_t failed_shear = 0;
+};
+
+/// The first particle to fail; ties go to the lowest id.
+struct FirstFailure {
+  std::int64_t step = 0;
+  double closure = 0.0;       ///< m
+  double axial_stress = 0.0;  ///< Pa
+  Vector position = Vector::Zero();
+  FailureMode mode = FailureMode::tension;
+};
+
+/// A copy of the particles, in order of id; columns of equal length.
+struct ParticleTable {
+  std::vector<std::uint32_t> id;
+  std::vector<std::array<double, 3>> position;  ///< m
+  std::vector<std::array<double, 3>> velocity;  ///< m/s
+  std::vector<std::array<double, 6>> stress;    ///< Pa; xx, yy, zz, xy, yz, xz; tension > 0
+  std::vector<double> max_principal_stress;     ///< Pa, of the three-dimensional tensor
+  std::vector<FailureMode> failed;
+  std::vector<std::int32_t> failure_step;  ///< -1 while intact
+
+  std::size_t size() const { return id.size(); }
+};
+
+/// Figures of the prepared simulation, for people and for `rgimp check`.
+struct Facts {
+  std::size_t particles = 0;
+  std::array<std::int64_t, 3> nodes{};  ///< per axis; 1 along z in 2D
+  double dt = 0.0;                      ///< s, Eq. 24
+  std::int64_t total_steps = 0;
+  std::size_t memory_bytes = 0;  ///< particles and grid
+  std::string isa;               ///< reference, baseline, avx2 or avx512
+  int threads = 0;
+};
+
+/// A running simulation. Errors are exceptions (see error.hpp); after a PhysicsError the state is
+/// that of the last completed step and can still be read.
+class Simulation {
+ public:
+  /// Throws CaseError for what check_case refuses, and for an RGIMP_ISA the machine lacks.
+  explicit Simulation(Case settings);
+  ~Simulation();
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+
+  void step();
+  /// Steps until `step` steps are done; nothing happens when they are. Throws PhysicsError.
+  void run_until(std::int64_t step);
+
+  std::int64_t steps_done() const;
+  double time() const;  ///< s
+  /// dt over the critical step of Eq. 22 with the largest nodal speed of the last step.
+  double critical_step_ratio() const;
+  HistoryRow history() const;
+  ParticleTable particles() const;
+  std::optional<FirstFailure> first_failure() const;
+  double peak_axial_stress() const;  ///< Pa, largest over all steps
+  /// A hash of every particle's id and state in order of id: equal for equal bits.
+  std::uint64_t state_hash() const;
+  Facts facts() const;
+  const Case& settings() const;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+/// The name of the library's version, "0.1.0".
+std::string_view version();
+
+}  // namespace rgimp

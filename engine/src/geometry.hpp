@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "rgimp/case.hpp"
+
+/// From the shapes of a case to its grid and particles.
+namespace rgimp {
+
+/// An axis-aligned box, m.
+struct Box {
+  Vector min = Vector::Zero();
+  Vector max = Vector::Zero();
+};
+
+Box bounds(const Body& body);
+/// Of all bodies together.
+Box bounds(const Case& settings);
+
+/// Where the grid lies: node (i, j) is at origin + cell_size * (i, j).
+struct GridExtent {
+  Vector origin = Vector::Zero();      ///< m
+  double cell_size = 0.0;              ///< m
+  std::array<std::int64_t, 3> nodes{};  ///< per axis; 1 along z in 2D
+};
+
+GridExtent grid_extent(const Case& settings);
+
+/// A particle before the first step.
+struct ParticleSeed {
+  Vector position = Vector::Zero();  ///< m
+  Vector velocity = Vector::Zero();  ///< m/s
+  double volume = 0.0;               ///< m3 (2D: m2, unit thickness)
+  double mass = 0.0;                 ///< kg (2D: per metre)
+  std::uint8_t material = 0;         ///< index in the order of Case::materials
+};
+
+/// Particles on a lattice centred in the cells that start at each body's lower corner, those
+/// inside a flaw left out. Body by body, rows of rising x within rising y; ids are indices.
+std::vector<ParticleSeed> seed_particles(const Case& settings);
+
+}  // namespace rgimp

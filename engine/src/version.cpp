@@ -1,0 +1,7 @@
+#include "rgimp/simulation.hpp"
+
+namespace rgimp {
+
+std::string_view version() { return RGIMP_VERSION; }
+
+}  // namespace rgimp
