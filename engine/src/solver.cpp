@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "binning.hpp"
 #include "failure_limits.hpp"
 #include "rgimp/error.hpp"
 
