@@ -5,7 +5,7 @@
 source "$(dirname "${BASH_SOURCE[0]}")/../tests/lib.sh"
 
 (($# <= 1)) || fail "usage: examples/run.sh [CASE.toml]"
-case_file=$(realpath -- "${1:-$rgimp_root/examples/single_flaw.toml}")
+case_file=$(realpath --canonicalize-missing -- "${1:-$rgimp_root/examples/single_flaw.toml}")
 [[ -f $case_file ]] || fail "no case file at $case_file"
 
 step "Packages (tests/install_dependencies.sh)"
@@ -13,6 +13,7 @@ bash "$rgimp_root/tests/install_dependencies.sh"
 build_release
 
 program=$rgimp_root/build/release/bin/rgimp
+[[ -x $program ]] || fail "the build made no $program"
 name=$(basename "$case_file" .toml)
 output=$rgimp_root/out/$name
 stamp=$rgimp_root/out/$name.sha256 # of a finished run: what went in and what came out
@@ -23,7 +24,8 @@ else
   mkdir -p "$rgimp_root/out"
   rm -f "$stamp"
   "$program" run "$case_file" -o "$output" --force
-  sha256sum "$case_file" "$program" "$output"/{case.toml,history.csv,summary.json} >"$stamp"
+  sha256sum "$case_file" "$program" "$output"/{case.toml,history.csv,summary.json} >"$stamp.new"
+  mv "$stamp.new" "$stamp"
 fi
 
 step "Draw (rgimp-plot)"

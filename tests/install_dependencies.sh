@@ -41,12 +41,12 @@ if ((EUID != 0)); then
     fail "these packages are missing: ${missing[*]}. Installing them needs root, or sudo."
   as_root=(sudo)
 fi
-as_root+=(env DEBIAN_FRONTEND=noninteractive)
+as_root+=(env DEBIAN_FRONTEND=noninteractive) # no questions
 
 # Without --error-on=any, apt-get update passes over servers it cannot reach.
-step "Update the package lists (${as_root[0]} apt-get update)"
+step "Update the package lists (apt-get update, as root)"
 "${as_root[@]}" apt-get update --quiet --quiet --error-on=any ||
   fail "apt-get update failed. Is the network up? Are the sources in /etc/apt right?"
-step "Install ${missing[*]}"
+step "Install (apt-get install, as root): ${missing[*]}"
 "${as_root[@]}" apt-get install --quiet --yes --no-install-recommends "${missing[@]}" ||
   fail "apt-get install failed for: ${missing[*]}. The package names are those of Debian 12."

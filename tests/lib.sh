@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # Shared by the shell scripts; source it, do not run it.
 # An error stops the script and names the step that failed.
 set -Eeuo pipefail
@@ -15,7 +16,13 @@ fail() {
   exit 1
 }
 
-trap 'code=$?; echo "error: \"$rgimp_step\" failed with exit code $code (see the lines above)" >&2; exit "$code"' ERR
+report_error() {
+  if ((BASH_SUBSHELL == 0)); then
+    echo "error: \"$rgimp_step\" failed with exit code $1 (see the lines above)" >&2
+  fi
+  exit "$1"
+}
+trap 'report_error $?' ERR
 
 # Configures and builds the release preset; cheap where nothing changed.
 build_release() {
