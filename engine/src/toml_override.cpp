@@ -46,7 +46,7 @@ bool is_below(std::string_view key, std::string_view path) {
 
 /// "body[0].size" -> body, 0, size.
 std::vector<std::string> Override::segments(const std::string& key) const {
-  static const std::regex form(R"([\w-]+(\.[\w-]+|\[\d+\])*)");
+  static const std::regex form(R"(\s*[\w-]+(\.[\w-]+|\[\d+\])*\s*)");
   if (!std::regex_match(key, form)) {
     refuse("expected a dotted key before '=', as in body[0].size=[0.05, 0.1]");
   }
@@ -114,8 +114,7 @@ std::size_t Override::index_in(const toml::array& array, const std::string& segm
   std::size_t index = array.size();
   const auto [end, error] = std::from_chars(segment.data(), segment.data() + segment.size(), index);
   if (error != std::errc{} || end != segment.data() + segment.size() || index >= array.size()) {
-    refuse(fmt::format("{} is not there; the array has {} entries, counted from 0", path_,
-                       array.size()));
+    refuse(fmt::format("{} does not exist; the array's length is {}", path_, array.size()));
   }
   return index;
 }
