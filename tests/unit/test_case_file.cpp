@@ -139,6 +139,7 @@ threads = 2
   const std::string text = rgimp::write_case(first);
   const rgimp::Case second = read_text(text);
   CHECK(rgimp::write_case(second) == text);
+  CHECK(text.find("\nsnapshot_steps = [1, 2]             # besides") != std::string::npos);
 
   CHECK(second.title == first.title);
   CHECK(second.title == "quote \" backslash \\ tab \t end");
@@ -222,6 +223,11 @@ TEST_CASE("errors of overrides name the override") {
   CHECK(message_of("time.steps") == "--set time.steps: expected KEY=VALUE");
   CHECK(message_of("time..steps=1") ==
         "--set time..steps=1: expected a dotted key before '=', as in body[0].size=[0.05, 0.1]");
+  for (const std::string key :
+       {"", "body[0", "body0].size", "body[0]size", "body.", ".body", "a b"}) {
+    CHECK(message_of(key + "=1") ==
+          "--set " + key + "=1: expected a dotted key before '=', as in body[0].size=[0.05, 0.1]");
+  }
   CHECK(message_of("time.steps=1 2") ==
         "--set time.steps=1 2: \"1 2\" is not a TOML value; expected a number, a \"string\", an "
         "[array] or a bare word");
