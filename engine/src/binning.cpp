@@ -32,11 +32,9 @@ template <int Dim>
       particles.id[index], position, velocity));
 }
 
-/// The particle's nearest node, whose neighbours on every side are in the grid too; widens
-/// `farthest` to its distance along any axis, in cells.
+/// The particle's nearest node, whose neighbours on every side are in the grid too.
 template <int Dim>
-std::size_t bin_of(const Particles<Dim>& particles, const Grid<Dim>& grid, std::size_t index,
-                   double& farthest) {
+std::size_t bin_of(const Particles<Dim>& particles, const Grid<Dim>& grid, std::size_t index) {
   const GridExtent& extent = grid.extent();
   const std::ptrdiff_t stride[3] = {1, grid.row_stride(), grid.row_stride() * extent.nodes[1]};
   std::ptrdiff_t bin = 0;
@@ -46,7 +44,6 @@ std::size_t bin_of(const Particles<Dim>& particles, const Grid<Dim>& grid, std::
     if (!(node >= 1.0 && node <= static_cast<double>(extent.nodes[a] - 2))) {
       throw_outside(particles, index);
     }
-    farthest = std::max(farthest, std::abs(cells - node));
     bin += static_cast<std::ptrdiff_t>(node) * stride[a];
   }
   return static_cast<std::size_t>(bin);
@@ -153,16 +150,15 @@ Particles<Dim> particles_from(const std::vector<ParticleSeed>& seeds) {
 }
 
 template <int Dim>
-double bin_particles(Particles<Dim>& particles, const std::vector<std::uint8_t>& material_of_id,
-                     const Grid<Dim>& grid, Workers& workers) {
+void bin_particles(Particles<Dim>& particles, const std::vector<std::uint8_t>& material_of_id,
+                   const Grid<Dim>& grid, Workers& workers) {
   const std::size_t materials =
       1 + static_cast<std::size_t>(*std::max_element(material_of_id.begin(), material_of_id.end()));
   Layout layout(static_cast<std::size_t>(grid.rows() * grid.row_stride()), materials);
   std::vector<std::uint32_t> bin(particles.lanes());
-  double farthest = 0.0;
   for (std::size_t i = 0; i < particles.lanes(); ++i) {
     if (!particles.is_padding(i)) {
-      bin[i] = static_cast<std::uint32_t>(bin_of(particles, grid, i, farthest));
+      bin[i] = static_cast<std::uint32_t>(bin_of(particles, grid, i));
       layout.add(bin[i], material_of_id[particles.id[i]]);
     }
   }
@@ -177,11 +173,10 @@ double bin_particles(Particles<Dim>& particles, const std::vector<std::uint8_t>&
   particles.for_each_column(
       [&](auto& column, auto padding) { permute(column, source, padding, workers); });
   put_padding_on_nodes(particles, grid);
-  return 1.0 - grid.particle_half_size() - farthest;
 }
 
 template Particles<2> particles_from<2>(const std::vector<ParticleSeed>&);
-template double bin_particles<2>(Particles<2>&, const std::vector<std::uint8_t>&, const Grid<2>&,
-                                 Workers&);
+template void bin_particles<2>(Particles<2>&, const std::vector<std::uint8_t>&, const Grid<2>&,
+                               Workers&);
 
 }  // namespace rgimp

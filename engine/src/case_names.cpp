@@ -33,9 +33,8 @@ constexpr std::array kIntegrators{Named<Integrator>{Integrator::musl, "musl"},
 constexpr FailureKey kCohesion{"cohesion", &Failure::cohesion, "Pa"};
 constexpr FailureKey kFrictionAngle{"friction_angle", &Failure::friction_angle, "degrees"};
 constexpr FailureKey kTensileStrength{"tensile_strength", &Failure::tensile_strength, "Pa"};
-// One key, a stress for the criterion shear-stress and a strain for shear-strain.
 constexpr FailureKey kShearStrength{"shear_strength", &Failure::shear_strength, "Pa"};
-constexpr FailureKey kShearStrainLimit{"shear_strength", &Failure::shear_strain, "1, a strain"};
+constexpr FailureKey kShearStrainLimit{"shear_strain", &Failure::shear_strain, "1, a strain"};
 constexpr FailureKey kTensileStrain{"tensile_strain", &Failure::tensile_strain, "1, a strain"};
 
 constexpr std::array kMohrCoulomb{kCohesion, kFrictionAngle, kTensileStrength};
@@ -43,8 +42,8 @@ constexpr std::array kTension{kTensileStrength};
 constexpr std::array kShearStress{kShearStrength};
 constexpr std::array kPrincipalStrain{kTensileStrain};
 constexpr std::array kShearStrain{kShearStrainLimit};
-constexpr std::array kAllStrengths{kCohesion, kFrictionAngle, kTensileStrength, kShearStrength,
-                                   kTensileStrain};
+constexpr std::array kAllStrengths{kCohesion,      kFrictionAngle, kTensileStrength,
+                                   kShearStrength, kTensileStrain, kShearStrainLimit};
 constexpr std::array kPressureWindow{
     FailureKey{"pressure_min", &Failure::pressure_min, "Pa, <= 0: tension"},
     FailureKey{"pressure_max", &Failure::pressure_max, "Pa"}};

@@ -98,15 +98,6 @@ void Platens<Dim>::set_time(double time) {
 }
 
 template <int Dim>
-double Platens<Dim>::max_speed() const {
-  double most = 0.0;
-  for (const double velocity : velocity_) {
-    most = std::max(most, std::abs(velocity));
-  }
-  return most;
-}
-
-template <int Dim>
 double Platens<Dim>::target(const Constraint& constraint) const {
   return constraint.is_normal ? velocity_[constraint.platen] : 0.0;
 }

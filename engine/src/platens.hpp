@@ -36,7 +36,6 @@ class Platens {
   Platens(const Case& settings, Grid<Dim>& grid);
 
   void set_time(double time);
-  double max_speed() const;  ///< m/s at the set time
   std::size_t count() const { return settings_.size(); }
 
   /// After update_nodes: the prescribed velocity replaces velocity and acceleration

@@ -86,6 +86,7 @@ Solver<Dim>::Solver(const Case& settings, kernels::Isa isa, Workers& workers)
   const auto rows = static_cast<std::size_t>(grid_.rows());
   node_sums_.resize(rows);
   particle_sums_.resize(rows);
+  reach_.resize(rows);
   platen_sums_.resize(rows, PlatenSums{0.0, std::vector<double>(platens_.count(), 0.0)});
   g_ = grid_.view();
   reaction_of_platen_.resize(platens_.count(), 0.0);
@@ -227,7 +228,7 @@ void Solver<Dim>::strain(Range bins, const double* const* velocity) {
 
 template <int Dim>
 void Solver<Dim>::move(Range bins) {
-  kernels_.gather_position(p_, g_, dt_, bins);
+  kernels_.gather_position(p_, g_, dt_, bins, reach_.data());
 }
 
 // ---- after the step -------------------------------------------------------------------------
@@ -240,8 +241,7 @@ void Solver<Dim>::finish_step() {
     note_first_failure();
   }
   stop_if_unphysical();
-  drift_ += max_speed_ * dt_ / grid_.extent().cell_size;
-  if (drift_ > margin_) {
+  if (farthest_ > 1.0 - grid_.particle_half_size()) {
     rebin();
   }
 }
@@ -249,7 +249,8 @@ void Solver<Dim>::finish_step() {
 /// Rows in rising order, so that sums do not depend on threads.
 template <int Dim>
 void Solver<Dim>::add_row_sums() {
-  max_speed_ = platens_.max_speed();
+  farthest_ = 0.0;
+  max_speed_ = 0.0;
   std::vector<double>& reaction = reaction_of_platen_;
   std::fill(reaction.begin(), reaction.end(), 0.0);
   for (std::size_t row = 0; row < node_sums_.size(); ++row) {
@@ -259,7 +260,8 @@ void Solver<Dim>::add_row_sums() {
     budget_.released_energy += particle_sums_[row].released_energy;
     failed_tension_ += particle_sums_[row].failed_tension;
     failed_shear_ += particle_sums_[row].failed_shear;
-    max_speed_ = std::max(max_speed_, node_sums_[row].max_speed);
+    farthest_ = std::max(farthest_, reach_[row].distance);
+    max_speed_ = std::max(max_speed_, reach_[row].step / dt_);
     for (std::size_t p = 0; p < reaction.size(); ++p) {
       reaction[p] += platen_sums_[row].reaction[p];
     }
@@ -321,8 +323,8 @@ void Solver<Dim>::note_first_failure() {
 /// A value that is not a number in any node reaches the damping work, so one look finds it.
 template <int Dim>
 void Solver<Dim>::stop_if_unphysical() const {
-  const bool finite = std::isfinite(max_speed_) && std::isfinite(budget_.damping_work) &&
-                      std::isfinite(budget_.external_work) && std::isfinite(budget_.viscous_work);
+  const bool finite = std::isfinite(budget_.damping_work) && std::isfinite(budget_.external_work) &&
+                      std::isfinite(budget_.viscous_work);
   if (!finite) {
     throw PhysicsError(
         fmt::format("step {}: velocities are no longer numbers; lower time.step_factor, or raise "
@@ -345,8 +347,7 @@ double Solver<Dim>::critical_step_ratio() const {
 
 template <int Dim>
 void Solver<Dim>::rebin() {
-  margin_ = bin_particles(particles_, material_of_id_, grid_, workers_);
-  drift_ = 0.0;
+  bin_particles(particles_, material_of_id_, grid_, workers_);
   p_ = particles_.view();
   ++rebins_;
 }

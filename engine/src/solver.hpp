@@ -97,13 +97,13 @@ class Solver {
 
   std::vector<kernels::NodeSums> node_sums_;          // by row
   std::vector<kernels::ParticleSums> particle_sums_;  // by row
+  std::vector<kernels::Reach> reach_;                 // by row
   std::vector<PlatenSums> platen_sums_;               // by row
 
   std::int64_t steps_done_ = 0;
   std::int64_t rebins_ = 0;
-  double margin_ = 0.0;     ///< cells a particle may drift from where it was binned
-  double drift_ = 0.0;      ///< cells, bound of what any has drifted
-  double max_speed_ = 0.0;  ///< m/s, fastest node component of the last step
+  double farthest_ = 0.0;   ///< cells, of any particle from its bin's node along an axis
+  double max_speed_ = 0.0;  ///< m/s, fastest particle component in the last step
   EnergyBudget budget_;
   std::vector<double> reaction_of_platen_;  ///< N, of the last step
   double peak_axial_stress_ = 0.0;

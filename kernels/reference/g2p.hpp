@@ -4,36 +4,58 @@
 
 namespace rgimp::kernels::reference {
 
-/// column += factor * sum of S_i field_i [Eq. 6].
+/// Sum of S_i field_i at a particle [Eq. 6].
 template <int Dim>
-void gather(const ParticleView<Dim>& particles, const GridView<Dim>& grid,
-            const double* const* field, double* const* column, double factor, RowRange bins) {
-  const Shape<Dim> shape(grid);
-  for_each_particle(particles, grid, bins,
-                    [&](std::size_t p, const BinNode<Dim>& bin, std::size_t) {
-                      double sum[Dim] = {};
-                      for_each_node(stencil_of(particles, p, bin, shape), shape,
-                                    [&](std::ptrdiff_t node, double weight, const double(&)[Dim]) {
-                                      for (int a = 0; a < Dim; ++a) {
-                                        sum[a] += weight * field[a][node];
-                                      }
-                                    });
-                      for (int a = 0; a < Dim; ++a) {
-                        column[a][p] += factor * sum[a];
-                      }
-                    });
+struct Gathered {
+  double value[Dim] = {};
+};
+
+template <int Dim>
+Gathered<Dim> gather(const Stencil<Dim>& stencil, const Shape<Dim>& shape,
+                     const double* const* field) {
+  Gathered<Dim> sum;
+  for_each_node(stencil, shape, [&](std::ptrdiff_t node, double weight, const double(&)[Dim]) {
+    for (int a = 0; a < Dim; ++a) {
+      sum.value[a] += weight * field[a][node];
+    }
+  });
+  return sum;
 }
 
 template <int Dim>
 void gather_velocity(const ParticleView<Dim>& particles, const GridView<Dim>& grid, double dt,
                      RowRange bins) {
-  gather(particles, grid, grid.force, particles.velocity, dt, bins);
+  const Shape<Dim> shape(grid);
+  for_each_particle(particles, grid, bins,
+                    [&](std::size_t p, const BinNode<Dim>& bin, std::size_t) {
+                      const Gathered<Dim> acceleration =
+                          gather(stencil_of(particles, p, bin, shape), shape, grid.force);
+                      for (int a = 0; a < Dim; ++a) {
+                        particles.velocity[a][p] += dt * acceleration.value[a];
+                      }
+                    });
 }
 
 template <int Dim>
 void gather_position(const ParticleView<Dim>& particles, const GridView<Dim>& grid, double dt,
-                     RowRange bins) {
-  gather(particles, grid, grid.momentum, particles.position, dt, bins);
+                     RowRange bins, Reach* by_row) {
+  const Shape<Dim> shape(grid);
+  for (std::ptrdiff_t row = bins.first; row < bins.last; ++row) {
+    Reach reach{};
+    for_each_particle(
+        particles, grid, {row, row + 1}, [&](std::size_t p, const BinNode<Dim>& bin, std::size_t) {
+          const Gathered<Dim> velocity =
+              gather(stencil_of(particles, p, bin, shape), shape, grid.momentum);
+          for (int a = 0; a < Dim; ++a) {
+            const double step = dt * velocity.value[a];
+            particles.position[a][p] += step;
+            reach.step = std::max(reach.step, std::abs(step));
+            reach.distance =
+                std::max(reach.distance, std::abs(node_distance(particles, p, bin, shape, a)));
+          }
+        });
+    by_row[row] = reach;
+  }
 }
 
 /// value[a][b] = d field_a / d x_b, 1/s for a velocity.

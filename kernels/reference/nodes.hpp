@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include "particle_loop.hpp"
@@ -28,7 +27,6 @@ void update_node(const GridView<Dim>& grid, const NodeUpdate<Dim>& update, std::
     const double travel = 0.5 * update.dt * (velocity + new_velocity);
     sums.damping_work += damping * travel;
     sums.body_force_work += body_force * travel;
-    sums.max_speed = std::max(sums.max_speed, std::abs(new_velocity));
     grid.force[a][node] = acceleration;
     grid.momentum[a][node] = new_velocity;
   }

@@ -59,15 +59,21 @@ struct Stencil {
   AxisWeights axis[Dim];
 };
 
+/// Distance of a particle from its bin's node along an axis, in cells.
+template <int Dim>
+double node_distance(const ParticleView<Dim>& particles, std::size_t particle,
+                     const BinNode<Dim>& bin, const Shape<Dim>& shape, int axis) {
+  return particles.position[axis][particle] * shape.cells_per_metre - shape.origin_cells[axis] -
+         bin.index[axis];
+}
+
 template <int Dim>
 Stencil<Dim> stencil_of(const ParticleView<Dim>& particles, std::size_t particle,
                         const BinNode<Dim>& bin, const Shape<Dim>& shape) {
   Stencil<Dim> stencil;
   stencil.lowest = bin.node;
   for (int a = 0; a < Dim; ++a) {
-    const double cells =
-        particles.position[a][particle] * shape.cells_per_metre - shape.origin_cells[a];
-    stencil.axis[a] = axis_weights(cells - bin.index[a], shape);
+    stencil.axis[a] = axis_weights(node_distance(particles, particle, bin, shape, a), shape);
     stencil.lowest -= shape.stride[a];
   }
   return stencil;

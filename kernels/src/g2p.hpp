@@ -132,50 +132,127 @@ inline void gradient_at(const FieldCoefficients<2>& c, const Basis<2>& basis,
   gradient[1] = slope_along(basis.axis[1], row[1], row[2]);
 }
 
-/// column += factor * field at the particle, for every particle of the bins [Eq. 6].
+/// `value` where a lane holds a particle, 0 in padding. Padding must stay where it is: next to
+/// nearly empty nodes, whose accelerations have no bound, it would fly off and overflow, and a
+/// weight of zero does not undo an infinity.
 template <int Dim>
-void gather(const ParticleView<Dim>& particles, const GridView<Dim>& grid,
-            const double* const* field, double* const* column, double factor, RowRange bins) {
-  const ShapeConstants<Dim> shape(grid);
-  const Batch scale(factor);
-  for (std::ptrdiff_t row = bins.first; row < bins.last; ++row) {
-    for (std::ptrdiff_t group_column = 0; group_column < grid.groups_in_row; ++group_column) {
-      const std::uint32_t* begin = particles.group_begin + row * grid.groups_in_row + group_column;
-      if (begin[0] == begin[1]) {
-        continue;
-      }
-      const GroupPlace<Dim> place(grid, row, group_column);
-      for (int part = 0; part < kParts; ++part) {
-        FieldCoefficients<Dim> c[Dim];
+inline Batch where_present(const ParticleView<Dim>& particles, std::size_t index, double value) {
+  const auto present = Batch::load_aligned(particles.mass + index) > Batch(0.0);
+  return xsimd::select(present, Batch(value), Batch(0.0));
+}
+
+/// What becomes of a gathered acceleration: v += dt a.
+template <int Dim>
+class VelocityUpdate {
+ public:
+  VelocityUpdate(const ParticleView<Dim>& particles, double dt) : particles_(particles), dt_(dt) {}
+
+  void begin_row() {}
+  void end_row(std::ptrdiff_t) {}
+
+  void put(std::size_t index, int axis, Batch acceleration, const AxisBasis&) {
+    double* velocity = particles_.velocity[axis] + index;
+    fused(where_present(particles_, index, dt_), acceleration, Batch::load_aligned(velocity))
+        .store_aligned(velocity);
+  }
+
+ private:
+  const ParticleView<Dim>& particles_;
+  double dt_;
+};
+
+/// What becomes of a gathered velocity: x += dt v, and how far that took the row's particles.
+template <int Dim>
+class PositionUpdate {
+ public:
+  PositionUpdate(const ParticleView<Dim>& particles, const GridView<Dim>& grid, double dt,
+                 Reach* by_row)
+      : particles_(particles), dt_(dt), cells_per_metre_(1.0 / grid.cell_size), by_row_(by_row) {}
+
+  void begin_row() {
+    step_ = Batch(0.0);
+    distance_ = Batch(0.0);
+  }
+
+  void put(std::size_t index, int axis, Batch velocity, const AxisBasis& basis) {
+    double* position = particles_.position[axis] + index;
+    const Batch step = where_present(particles_, index, dt_) * velocity;
+    (Batch::load_aligned(position) + step).store_aligned(position);
+    const Batch distance = fused(step, Batch(cells_per_metre_), basis.d);
+    step_ = xsimd::max(step_, xsimd::abs(step));
+    distance_ = xsimd::max(distance_, xsimd::abs(distance));
+  }
+
+  void end_row(std::ptrdiff_t row) { by_row_[row] = {largest(distance_), largest(step_)}; }
+
+ private:
+  static double largest(Batch values) {
+    alignas(64) double lane[kLanes];
+    values.store_aligned(lane);
+    double most = 0.0;
+    for (const double value : lane) {
+      most = value > most ? value : most;
+    }
+    return most;
+  }
+
+  const ParticleView<Dim>& particles_;
+  double dt_;
+  double cells_per_metre_;
+  Reach* by_row_;
+  Batch step_;
+  Batch distance_;
+};
+
+template <int Dim, typename Update>
+void gather_group(const ParticleView<Dim>& particles, const GroupPlace<Dim>& place,
+                  const ShapeConstants<Dim>& shape, const double* const* field, Update& update) {
+  const std::uint32_t* begin = particles.group_begin + place.first_node / kGroupWidth;
+  for (int part = 0; part < kParts; ++part) {
+    FieldCoefficients<Dim> c[Dim];
 #pragma GCC unroll 3
-        for (int a = 0; a < Dim; ++a) {
-          c[a] = field_coefficients(field[a], place, part);
-        }
-        const BinOffsets<Dim> offsets = place.offsets(shape, part);
-        for (std::size_t slot = begin[0]; slot < begin[1]; ++slot) {
-          const std::size_t index = slot * kGroupWidth + part * kLanes;
-          const Basis<Dim> basis = basis_at(particles, index, offsets, shape);
+    for (int a = 0; a < Dim; ++a) {
+      c[a] = field_coefficients(field[a], place, part);
+    }
+    const BinOffsets<Dim> offsets = place.offsets(shape, part);
+    for (std::size_t slot = begin[0]; slot < begin[1]; ++slot) {
+      const std::size_t index = slot * kGroupWidth + part * kLanes;
+      const Basis<Dim> basis = basis_at(particles, index, offsets, shape);
 #pragma GCC unroll 3
-          for (int a = 0; a < Dim; ++a) {
-            const Batch old = Batch::load_aligned(column[a] + index);
-            fused(scale, value_at(c[a], basis), old).store_aligned(column[a] + index);
-          }
-        }
+      for (int a = 0; a < Dim; ++a) {
+        update.put(index, a, value_at(c[a], basis), basis.axis[a]);
       }
     }
+  }
+}
+
+/// Gathers a field at the particles of the bins, row by row [Eq. 6].
+template <int Dim, typename Update>
+void gather(const ParticleView<Dim>& particles, const GridView<Dim>& grid,
+            const double* const* field, RowRange bins, Update update) {
+  const ShapeConstants<Dim> shape(grid);
+  for (std::ptrdiff_t row = bins.first; row < bins.last; ++row) {
+    update.begin_row();
+    for (std::ptrdiff_t column = 0; column < grid.groups_in_row; ++column) {
+      const std::uint32_t* begin = particles.group_begin + row * grid.groups_in_row + column;
+      if (begin[0] != begin[1]) {
+        gather_group(particles, GroupPlace<Dim>(grid, row, column), shape, field, update);
+      }
+    }
+    update.end_row(row);
   }
 }
 
 template <int Dim>
 void gather_velocity(const ParticleView<Dim>& particles, const GridView<Dim>& grid, double dt,
                      RowRange bins) {
-  gather(particles, grid, grid.force, particles.velocity, dt, bins);
+  gather(particles, grid, grid.force, bins, VelocityUpdate<Dim>(particles, dt));
 }
 
 template <int Dim>
 void gather_position(const ParticleView<Dim>& particles, const GridView<Dim>& grid, double dt,
-                     RowRange bins) {
-  gather(particles, grid, grid.momentum, particles.position, dt, bins);
+                     RowRange bins, Reach* by_row) {
+  gather(particles, grid, grid.momentum, bins, PositionUpdate<Dim>(particles, grid, dt, by_row));
 }
 
 }  // namespace

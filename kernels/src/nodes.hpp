@@ -29,8 +29,7 @@ inline Batch inverse_mass(Batch mass, Batch least) {
 /// One batch of nodes; see the scalar twin for what the works mean.
 template <int Dim>
 inline void update_node_batch(const GridView<Dim>& grid, const NodeUpdate<Dim>& update,
-                              std::ptrdiff_t node, Batch& damping_work, Batch& body_work,
-                              Batch& max_speed) {
+                              std::ptrdiff_t node, Batch& damping_work, Batch& body_work) {
   const Batch zero(0.0);
   const Batch mass = Batch::load_aligned(grid.mass + node);
   const Batch inverse = inverse_mass(mass, Batch(update.least_mass));
@@ -49,7 +48,6 @@ inline void update_node_batch(const GridView<Dim>& grid, const NodeUpdate<Dim>& 
     const Batch travel = Batch(0.5 * update.dt) * (velocity + new_velocity);
     damping_work = fused(damping, travel, damping_work);
     body_work = fused(body, travel, body_work);
-    max_speed = xsimd::max(max_speed, xsimd::abs(new_velocity));
     acceleration.store_aligned(grid.force[a] + node);
     new_velocity.store_aligned(grid.momentum[a] + node);
   }
@@ -62,22 +60,16 @@ void update_nodes(const GridView<Dim>& grid, const NodeUpdate<Dim>& update, RowR
   for (std::ptrdiff_t row = nodes.first; row < nodes.last; ++row) {
     LaneSum damping;
     LaneSum body;
-    alignas(64) double speed[kGroupWidth] = {};
     for (int part = 0; part < kParts; ++part) {
       Batch damping_work(0.0);
       Batch body_work(0.0);
-      Batch max_speed(0.0);
       for (std::ptrdiff_t i = part * kLanes; i < stride; i += kGroupWidth) {
-        update_node_batch(grid, update, row * stride + i, damping_work, body_work, max_speed);
+        update_node_batch(grid, update, row * stride + i, damping_work, body_work);
       }
       damping.add(damping_work, part);
       body.add(body_work, part);
-      max_speed.store_aligned(speed + part * kLanes);
     }
-    by_row[row] = {damping.total(), body.total(), 0.0};
-    for (const double lane : speed) {
-      by_row[row].max_speed = lane > by_row[row].max_speed ? lane : by_row[row].max_speed;
-    }
+    by_row[row] = {damping.total(), body.total()};
   }
 }
 

@@ -136,7 +136,7 @@ inline void update_group(const ParticleView<2>& particles, const GroupPlace<2>& 
                          const ShapeConstants<2>& shape, const double* const* field,
                          const MaterialConstants* materials, double dt, StressUpdate& update) {
   const std::uint32_t* begin = particles.group_begin + place.first_node / kGroupWidth;
-  const Batch dt_per_cell(dt * shape.cells_per_metre);
+  const double dt_per_cell = dt * shape.cells_per_metre;
   for (int part = 0; part < kParts; ++part) {
     update.part = part;
     const FieldCoefficients<2> velocity[2] = {field_coefficients(field[0], place, part),
@@ -147,8 +147,8 @@ inline void update_group(const ParticleView<2>& particles, const GroupPlace<2>& 
       PlaneIncrement increment[kStrainRound];
       for (std::size_t s = 0; s < slots; ++s) {
         const std::size_t index = (first + s) * kGroupWidth + part * kLanes;
-        increment[s] =
-            increment_at(velocity, basis_at(particles, index, offsets, shape), dt_per_cell);
+        const Batch scale = where_present(particles, index, dt_per_cell);
+        increment[s] = increment_at(velocity, basis_at(particles, index, offsets, shape), scale);
       }
       for (std::size_t s = 0; s < slots; ++s) {
         update.slot((first + s) * kGroupWidth + part * kLanes, increment[s],

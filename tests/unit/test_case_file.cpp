@@ -112,7 +112,7 @@ ends = "round"
 density = 2600
 youngs_modulus = 1e22
 poisson_ratio = 0
-failure = {criterion = "shear-strain", shear_strength = 1e-4, treatment = "pressure-window", pressure_min = -1.5, pressure_max = 2e5}
+failure = {criterion = "shear-strain", shear_strain = 1e-4, treatment = "pressure-window", pressure_min = -1.5, pressure_max = 2e5}
 [material.soft]
 density = 1
 youngs_modulus = 2

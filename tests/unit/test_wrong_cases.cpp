@@ -59,6 +59,7 @@ TEST_CASE("keys and types are refused with line, key and what was expected") {
       {"tensile_strength = 2e6", "tensile_strength = 2e6\nfracture_energy = 1.0",
        "25: material.rock.failure.fracture_energy: unknown key; the keys here are criterion, "
        "treatment, cohesion, friction_angle, tensile_strength, shear_strength, tensile_strain, "
+       "shear_strain, "
        "pressure_min, pressure_max"},
       {"cell_size = 0.5e-3", "", "3: grid.cell_size: missing; expected a real number"},
       {"[time]\nsteps = 1000\n", "", "1: time: missing; expected a table"},
@@ -123,8 +124,8 @@ TEST_CASE("a choice reads its own keys and no others") {
        "20: material.rock.failure.cohesion: missing; criterion \"mohr-coulomb\" reads cohesion, "
        "friction_angle, tensile_strength"},
       {kFailure, "criterion = \"shear-strain\"\n",
-       "20: material.rock.failure.shear_strength: missing; criterion \"shear-strain\" reads "
-       "shear_strength"},
+       "20: material.rock.failure.shear_strain: missing; criterion \"shear-strain\" reads "
+       "shear_strain"},
       {kFailure, "criterion = \"principal-strain\"\ntensile_strain = 0.0\n",
        "22: material.rock.failure.tensile_strain: is 0; expected a number above 0"},
       {kFailure, kFailure + "pressure_max = 1.0\n",

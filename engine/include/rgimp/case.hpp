@@ -70,7 +70,7 @@ struct Failure {
   double tensile_strength = 0.0;  ///< Pa, mohr_coulomb, hydrostatic_tension, principal_stress
   double shear_strength = 0.0;    ///< Pa, shear_stress
   double tensile_strain = 0.0;    ///< 1, principal_strain
-  double shear_strain = 0.0;      ///< 1, shear_strain; `shear_strength` in a case file
+  double shear_strain = 0.0;      ///< 1, shear_strain
   Treatment treatment = Treatment::no_tension;
   double pressure_min = 0.0;  ///< Pa, <= 0 (tension), pressure_window only
   double pressure_max = 0.0;  ///< Pa, pressure_window only
@@ -129,12 +129,12 @@ struct Case {
   std::map<std::string, Material> materials;
   std::vector<Platen> platens;
   TimeSettings time;
-  double local_damping = 0.0;                    ///< 1, Cundall's beta, 0 <= beta < 1; our addition
-  double quadratic_viscosity = 1.5;              ///< 1, c0 of the bulk viscosity
-  double linear_viscosity = 0.06;                ///< 1, c1 of the bulk viscosity
-  Vector body_acceleration = Vector::Zero();     ///< m/s2
+  double local_damping = 0.0;                 ///< 1, Cundall's beta, 0 <= beta < 1; our addition
+  double quadratic_viscosity = 1.5;           ///< 1, c0 of the bulk viscosity
+  double linear_viscosity = 0.06;             ///< 1, c1 of the bulk viscosity
+  Vector body_acceleration = Vector::Zero();  ///< m/s2
   OutputSettings output;
-  int threads = 0;                               ///< 0: all the machine has; never changes a bit
+  int threads = 0;  ///< 0: all the machine has; never changes a bit
   CaseSource source;
 };
 

@@ -17,16 +17,16 @@ enum class FailureMode : std::uint8_t { intact = 0, tension = 1, shear = 2 };
 /// One row of history.csv, at the end of a step.
 struct HistoryRow {
   std::int64_t step = 0;
-  double time = 0.0;              ///< s
-  double closure = 0.0;           ///< m, sum of the platens' displacements towards the specimen
-  double axial_stress = 0.0;      ///< Pa, reaction / (bounding width x thickness), compression > 0
-  double reaction = 0.0;          ///< N (2D: per metre), mean of the opposed platens, compr. > 0
-  double kinetic_energy = 0.0;    ///< J, here and below in 2D per metre of thickness
-  double strain_energy = 0.0;     ///< J, sum of V sigma : C^-1 : sigma / 2
-  double external_work = 0.0;     ///< J, of platens and body force
-  double damping_work = 0.0;      ///< J, taken by local damping
-  double viscous_work = 0.0;      ///< J, taken by bulk viscosity
-  double released_energy = 0.0;   ///< J, strain energy dropped by failure
+  double time = 0.0;             ///< s
+  double closure = 0.0;          ///< m, sum of the platens' displacements towards the specimen
+  double axial_stress = 0.0;     ///< Pa, reaction / (bounding width x thickness), compression > 0
+  double reaction = 0.0;         ///< N (2D: per metre), mean of the opposed platens, compr. > 0
+  double kinetic_energy = 0.0;   ///< J, here and below in 2D per metre of thickness
+  double strain_energy = 0.0;    ///< J, sum of V sigma : C^-1 : sigma / 2
+  double external_work = 0.0;    ///< J, of platens and body force
+  double damping_work = 0.0;     ///< J, taken by local damping
+  double viscous_work = 0.0;     ///< J, taken by bulk viscosity
+  double released_energy = 0.0;  ///< J, strain energy dropped by failure
   std::int64_t failed_tension = 0;
   std::int64_t failed_shear = 0;
 };
@@ -80,7 +80,8 @@ class Simulation {
 
   std::int64_t steps_done() const;
   double time() const;  ///< s
-  /// dt over the critical step of Eq. 22 with the largest nodal speed of the last step.
+  /// dt over the critical step of Eq. 22 with the largest speed at which a particle
+  /// moved along an axis in the last step.
   double critical_step_ratio() const;
   HistoryRow history() const;
   ParticleTable particles() const;

@@ -32,8 +32,9 @@ struct KernelTable {
 
   /// acceleration -> particle velocity += dt S a [Eq. 6]
   void (*gather_velocity)(const Particles&, const Grid&, double dt, RowRange bins);
-  /// velocity at the end of the step -> particle position += dt S v [Eq. 6]
-  void (*gather_position)(const Particles&, const Grid&, double dt, RowRange bins);
+  /// velocity at the end of the step -> particle position += dt S v [Eq. 6]; one Reach per row of
+  /// the grid
+  void (*gather_position)(const Particles&, const Grid&, double dt, RowRange bins, Reach* by_row);
   /// `field` (node velocity) -> particle stress, volume, viscous energy, failure [Eq. 20, 21];
   /// one ParticleSums per row of the grid
   void (*update_stress)(const Particles&, const Grid&, const double* const* field,

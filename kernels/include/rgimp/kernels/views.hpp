@@ -84,11 +84,16 @@ struct MaterialConstants {
   double failed_pressure_max;
 };
 
-/// What a row of nodes adds to the energy budget in a step, and its fastest node.
+/// What a row of nodes adds to the energy budget in a step.
 struct NodeSums {
   double damping_work;     ///< J
   double body_force_work;  ///< J
-  double max_speed;        ///< m/s, largest component
+};
+
+/// The farthest and the fastest particle of a row of bins, along any axis.
+struct Reach {
+  double distance;  ///< cells, from its bin's node
+  double step;      ///< m, moved in this step
 };
 
 /// What a row of bins adds to the energy budget in a step.
