@@ -70,7 +70,7 @@ struct Failure {
   double tensile_strength = 0.0;  ///< Pa, mohr_coulomb, hydrostatic_tension, principal_stress
   double shear_strength = 0.0;    ///< Pa, shear_stress
   double tensile_strain = 0.0;    ///< 1, principal_strain
-  double shear_strain = 0.0;      ///< 1, shear_strain
+  double shear_strain = 0.0;      ///< 1, shear_strain; `shear_strength` in a case file
   Treatment treatment = Treatment::no_tension;
   double pressure_min = 0.0;  ///< Pa, <= 0 (tension), pressure_window only
   double pressure_max = 0.0;  ///< Pa, pressure_window only
@@ -112,10 +112,12 @@ struct OutputSettings {
   std::optional<std::int64_t> checkpoint_every;  ///< steps
 };
 
-/// Where a case came from, so that errors can name the line of a key ("flaw[0].width").
+/// Where a case came from, so that errors can name the line of a key ("flaw[0].width") or the
+/// override that set it.
 struct CaseSource {
-  std::filesystem::path path;               ///< empty for a case built in code
-  std::map<std::string, std::size_t> line;  ///< key path -> line in the file
+  std::filesystem::path path;                     ///< empty for a case built in code
+  std::map<std::string, std::size_t> line;        ///< key path -> line in the file
+  std::map<std::string, std::string> overridden;  ///< key path -> override, "key=value"
 };
 
 struct Case {

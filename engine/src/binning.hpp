@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "grid.hpp"
+#include "particles.hpp"
+#include "workers.hpp"
+
+namespace rgimp {
+
+/// Particles as the case gives them, not yet in bins; velocities and masses set, stress zero.
+template <int Dim>
+Particles<Dim> particles_from(const std::vector<ParticleSeed>& seeds);
+
+/// Sorts particles into the bins of their nearest nodes, in groups of eight bins, keeping the
+/// present order within a bin. Padding lanes are put on their bin's node.
+/// Returns how far any particle may move along an axis before it must be done again, in cells:
+/// 1 - l - max |x - x_node| / L, up to which three nodes per axis carry all weights.
+/// Throws PhysicsError for a particle that is not inside the grid (or not a number), with the
+/// particles as they were.
+template <int Dim>
+double bin_particles(Particles<Dim>& particles, const std::vector<std::uint8_t>& material_of_id,
+                     const Grid<Dim>& grid, Workers& workers);
+
+}  // namespace rgimp

@@ -1,0 +1,213 @@
+#include "case_check.hpp"
+
+#include <cmath>
+
+#include "case_error.hpp"
+#include "case_names.hpp"
+#include "nearest_name.hpp"
+#include "rgimp/case_file.hpp"
+
+namespace rgimp {
+
+void ValueChecker::refuse(std::string_view key, std::string_view what) const {
+  rgimp::refuse(case_.source, key, what);
+}
+
+void ValueChecker::finite(std::string_view key, double value) const {
+  if (!std::isfinite(value)) {
+    refuse(key, fmt::format("is {}; expected a finite number", value));
+  }
+}
+
+void ValueChecker::positive(std::string_view key, double value) const {
+  finite(key, value);
+  if (value <= 0.0) {
+    refuse(key, fmt::format("is {}; expected a number above 0", value));
+  }
+}
+
+void ValueChecker::not_negative(std::string_view key, double value) const {
+  finite(key, value);
+  if (value < 0.0) {
+    refuse(key, fmt::format("is {}; expected 0 or more", value));
+  }
+}
+
+void ValueChecker::planar(std::string_view key, const Vector& value) const {
+  for (int axis = 0; axis < 3; ++axis) {
+    finite(fmt::format("{}[{}]", key, axis), value[axis]);
+  }
+  if (value.z() != 0.0) {
+    refuse(key, fmt::format("is {} along z; expected 0 in two dimensions", value.z()));
+  }
+}
+
+void ValueChecker::at_least_one(std::string_view key, std::int64_t value) const {
+  if (value < 1) {
+    refuse(key, fmt::format("is {}; expected 1 or more", value));
+  }
+}
+
+namespace {
+
+constexpr int kFewestParticlesPerCell = 2;
+constexpr int kMostParticlesPerCell = 4;
+
+void check_body_size(const ValueChecker& check, const std::string& path, const Body& body) {
+  const std::string key = path + ".size";
+  if (body.shape == BodyShape::disk) {
+    check.positive(key, body.size.x());
+    return;
+  }
+  check.planar(key, body.size);
+  check.positive(key + "[0]", body.size.x());
+  check.positive(key + "[1]", body.size.y());
+}
+
+void check_material_name(const Case& settings, const std::string& path, const Body& body) {
+  if (settings.materials.contains(body.material)) {
+    return;
+  }
+  std::vector<std::string_view> names;
+  for (const auto& [name, material] : settings.materials) {
+    names.push_back(name);
+  }
+  const std::string all = names.empty()
+                              ? "; the case has no material"
+                              : fmt::format("; the materials are {}", fmt::join(names, ", "));
+  refuse(settings.source, path + ".material",
+         fmt::format("no material \"{}\"{}", body.material, suggestion(body.material, names, all)));
+}
+
+void check_bodies(const Case& settings) {
+  const ValueChecker check(settings);
+  if (settings.bodies.empty()) {
+    check.refuse("body", "missing; expected at least one [[body]]");
+  }
+  for (std::size_t i = 0; i < settings.bodies.size(); ++i) {
+    const Body& body = settings.bodies[i];
+    const std::string path = fmt::format("body[{}]", i);
+    check.planar(path + ".center", body.center);
+    check_body_size(check, path, body);
+    check_material_name(settings, path, body);
+    const std::string key = path + ".particles_per_cell";
+    if (body.particles_per_cell < kFewestParticlesPerCell ||
+        body.particles_per_cell > kMostParticlesPerCell) {
+      check.refuse(key, fmt::format("is {}; expected {} to {}", body.particles_per_cell,
+                                    kFewestParticlesPerCell, kMostParticlesPerCell));
+    }
+    if (body.particles_per_cell != settings.bodies.front().particles_per_cell) {
+      check.refuse(
+          key, fmt::format("is {}; expected {}, as in body[0]: all bodies share one",
+                           body.particles_per_cell, settings.bodies.front().particles_per_cell));
+    }
+    check.planar(path + ".velocity", body.velocity);
+  }
+}
+
+void check_flaws(const Case& settings) {
+  const ValueChecker check(settings);
+  for (std::size_t i = 0; i < settings.flaws.size(); ++i) {
+    const Flaw& flaw = settings.flaws[i];
+    const std::string path = fmt::format("flaw[{}]", i);
+    check.planar(path + ".center", flaw.center);
+    if (flaw.shape == FlawShape::box) {
+      check.planar(path + ".size", flaw.size);
+      check.positive(path + ".size[0]", flaw.size.x());
+      check.positive(path + ".size[1]", flaw.size.y());
+      continue;
+    }
+    check.positive(path + ".length", flaw.length);
+    if (flaw.shape == FlawShape::slot) {
+      check.positive(path + ".width", flaw.width);
+      check.finite(path + ".angle", flaw.angle);
+      if (flaw.length < flaw.width) {
+        check.refuse(path + ".length", fmt::format("is {}; expected at least the width, {}",
+                                                   flaw.length, flaw.width));
+      }
+    }
+  }
+}
+
+void check_platens(const Case& settings) {
+  const ValueChecker check(settings);
+  for (std::size_t i = 0; i < settings.platens.size(); ++i) {
+    const Platen& platen = settings.platens[i];
+    const std::string path = fmt::format("platen[{}]", i);
+    for (std::size_t other = 0; other < i; ++other) {
+      if (settings.platens[other].side == platen.side) {
+        check.refuse(path + ".side", fmt::format("\"{}\" is taken by platen[{}]; expected a side "
+                                                 "of its own for each platen",
+                                                 name_of(platen.side), other));
+      }
+    }
+    check.finite(path + ".speed", platen.speed);
+    check.not_negative(path + ".ramp", platen.ramp);
+    if (platen.half_width) {
+      check.positive(path + ".half_width", *platen.half_width);
+    }
+  }
+}
+
+void check_grid_values(const Case& settings) {
+  const ValueChecker check(settings);
+  check.positive("grid.cell_size", settings.grid.cell_size);
+  check.planar("grid.min", settings.grid.min.value_or(Vector::Zero()));
+  check.planar("grid.max", settings.grid.max.value_or(Vector::Zero()));
+}
+
+void check_forces(const Case& settings) {
+  const ValueChecker check(settings);
+  check.finite("damping.local", settings.local_damping);
+  if (settings.local_damping < 0.0 || settings.local_damping >= 1.0) {
+    check.refuse("damping.local",
+                 fmt::format("is {}; expected 0 or more and less than 1", settings.local_damping));
+  }
+  check.not_negative("viscosity.quadratic", settings.quadratic_viscosity);
+  check.not_negative("viscosity.linear", settings.linear_viscosity);
+  check.planar("body_force.acceleration", settings.body_acceleration);
+}
+
+/// What is accepted but does less than it says.
+std::vector<std::string> warnings_of_output(const Case& settings) {
+  if (!settings.output.checkpoint_every) {
+    return {};
+  }
+  return {complaint(settings.source, "output.checkpoint_every",
+                    "has no effect; this version does not write checkpoints yet")};
+}
+
+}  // namespace
+
+void check_dimension(const Case& settings) {
+  if (settings.dimension == 3) {
+    refuse(settings.source, "dimension",
+           "is 3; three dimensions are not available yet; expected 2");
+  }
+  if (settings.dimension != 2) {
+    refuse(settings.source, "dimension", fmt::format("is {}; expected 2", settings.dimension));
+  }
+}
+
+std::vector<std::string> check_case(const Case& settings) {
+  check_dimension(settings);
+  check_grid_values(settings);
+  check_bodies(settings);
+  check_flaws(settings);
+  check_materials(settings);
+  check_platens(settings);
+  check_time(settings);
+  check_forces(settings);
+  if (settings.threads < 0) {
+    refuse(settings.source, "tuning.threads",
+           fmt::format("is {}; expected 0, for all, or more", settings.threads));
+  }
+  check_grid(settings);
+  std::vector<std::string> warnings = check_bodies_and_flaws(settings);
+  for (std::string& warning : warnings_of_output(settings)) {
+    warnings.push_back(std::move(warning));
+  }
+  return warnings;
+}
+
+}  // namespace rgimp

@@ -1,0 +1,223 @@
+#include "rgimp/case_file.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "case_check.hpp"
+#include "case_names.hpp"
+#include "toml_document.hpp"
+#include "toml_reader.hpp"
+
+namespace rgimp {
+namespace {
+
+using Keys = std::vector<std::string_view>;
+
+/// Refuses keys that the table knows but that a choice made in it leaves without meaning.
+void allow_for_choice(const TomlReader& reader, std::span<const std::string_view> candidates,
+                      std::span<const std::string_view> read, const std::string& choice) {
+  const std::string reads =
+      read.empty() ? std::string() : fmt::format(", which reads {}", fmt::join(read, ", "));
+  for (const std::string_view key : candidates) {
+    const bool is_read = std::find(read.begin(), read.end(), key) != read.end();
+    if (!is_read && reader.has(key)) {
+      reader.refuse(key, fmt::format("not read by {}{}", choice, reads));
+    }
+  }
+}
+
+void read_grid(const TomlReader& reader, GridSettings& grid) {
+  reader.allow_only(Keys{"cell_size", "min", "max"});
+  reader.require("cell_size", grid.cell_size);
+  reader.accept("min", grid.min);
+  reader.accept("max", grid.max);
+}
+
+Body read_body(const TomlReader& reader) {
+  Body body;
+  reader.allow_only(Keys{"shape", "center", "size", "material", "particles_per_cell", "velocity"});
+  reader.require("shape", body.shape);
+  reader.require("center", body.center);
+  if (body.shape == BodyShape::disk) {
+    reader.require("size", body.size.x());
+  } else {
+    reader.require("size", body.size);
+  }
+  reader.require("material", body.material);
+  reader.accept("particles_per_cell", body.particles_per_cell);
+  reader.accept("velocity", body.velocity);
+  return body;
+}
+
+Flaw read_flaw(const TomlReader& reader) {
+  Flaw flaw;
+  const Keys dimensions{"length", "width", "angle", "ends", "size"};
+  Keys known{"shape", "center"};
+  known.insert(known.end(), dimensions.begin(), dimensions.end());
+  reader.allow_only(known);
+  reader.require("shape", flaw.shape);
+  allow_for_choice(reader, dimensions, dimensions_of(flaw.shape),
+                   fmt::format("shape \"{}\"", name_of(flaw.shape)));
+  reader.require("center", flaw.center);
+  switch (flaw.shape) {
+    case FlawShape::slot:
+      reader.require("length", flaw.length);
+      reader.require("width", flaw.width);
+      reader.accept("angle", flaw.angle);
+      reader.accept("ends", flaw.ends);
+      break;
+    case FlawShape::circle:
+      reader.require("length", flaw.length);
+      break;
+    case FlawShape::box:
+      reader.require("size", flaw.size);
+      break;
+  }
+  return flaw;
+}
+
+/// The numbers that a criterion or a treatment reads, all of which must be there.
+void read_numbers(const TomlReader& reader, std::span<const FailureKey> entries,
+                  const std::string& choice, Failure& failure) {
+  for (const FailureKey& entry : entries) {
+    if (!reader.has(entry.key)) {
+      reader.refuse(entry.key,
+                    fmt::format("missing; {} reads {}", choice, fmt::join(keys_of(entries), ", ")));
+    }
+    reader.require(entry.key, failure.*entry.member);
+  }
+}
+
+Failure read_failure(const TomlReader& reader) {
+  Failure failure;
+  const Keys strengths = keys_of(all_strengths());
+  const Keys limits = keys_of(limits_of(Treatment::pressure_window));
+  Keys known{"criterion", "treatment"};
+  known.insert(known.end(), strengths.begin(), strengths.end());
+  known.insert(known.end(), limits.begin(), limits.end());
+  reader.allow_only(known);
+
+  reader.require("criterion", failure.criterion);
+  const std::string criterion = fmt::format("criterion \"{}\"", name_of(failure.criterion));
+  const std::span<const FailureKey> used = strengths_of(failure.criterion);
+  allow_for_choice(reader, strengths, keys_of(used), criterion);
+  read_numbers(reader, used, criterion, failure);
+
+  reader.accept("treatment", failure.treatment);
+  const std::string treatment = fmt::format("treatment \"{}\"", name_of(failure.treatment));
+  const std::span<const FailureKey> window = limits_of(failure.treatment);
+  allow_for_choice(reader, limits, keys_of(window), treatment);
+  read_numbers(reader, window, treatment, failure);
+  return failure;
+}
+
+Material read_material(const TomlReader& reader) {
+  Material material;
+  reader.allow_only(Keys{"density", "youngs_modulus", "poisson_ratio", "failure"});
+  reader.require("density", material.density);
+  reader.require("youngs_modulus", material.youngs_modulus);
+  reader.require("poisson_ratio", material.poisson_ratio);
+  if (const auto failure = reader.table_if_any("failure")) {
+    material.failure = read_failure(*failure);
+  }
+  return material;
+}
+
+Platen read_platen(const TomlReader& reader) {
+  Platen platen;
+  reader.allow_only(Keys{"side", "speed", "ramp", "lateral", "half_width"});
+  reader.require("side", platen.side);
+  reader.require("speed", platen.speed);
+  reader.accept("ramp", platen.ramp);
+  reader.accept("lateral", platen.lateral);
+  reader.accept("half_width", platen.half_width);
+  return platen;
+}
+
+void read_time(const TomlReader& reader, TimeSettings& time) {
+  reader.allow_only(Keys{"steps", "duration", "step_factor", "integrator"});
+  reader.accept("steps", time.steps);
+  reader.accept("duration", time.duration);
+  reader.accept("step_factor", time.step_factor);
+  reader.accept("integrator", time.integrator);
+}
+
+void read_output(const TomlReader& reader, OutputSettings& output) {
+  reader.allow_only(Keys{"history_every", "snapshot_every", "snapshot_steps", "checkpoint_every"});
+  reader.accept("history_every", output.history_every);
+  reader.accept("snapshot_every", output.snapshot_every);
+  reader.accept("snapshot_steps", output.snapshot_steps);
+  reader.accept("checkpoint_every", output.checkpoint_every);
+}
+
+/// A table of optional values all of one type.
+template <typename Value>
+struct Entry {
+  std::string_view key;
+  Value& target;
+};
+
+template <typename Value>
+void read_optional_table(const TomlReader& root, std::string_view name,
+                         std::initializer_list<Entry<Value>> entries) {
+  const auto reader = root.table_if_any(name);
+  if (!reader) {
+    return;
+  }
+  Keys known;
+  for (const Entry<Value>& entry : entries) {
+    known.push_back(entry.key);
+  }
+  reader->allow_only(known);
+  for (const Entry<Value>& entry : entries) {
+    reader->accept(entry.key, entry.target);
+  }
+}
+
+void read_tables(const TomlReader& root, Case& settings) {
+  for (const TomlReader& body : root.tables("body")) {
+    settings.bodies.push_back(read_body(body));
+  }
+  for (const TomlReader& flaw : root.tables("flaw")) {
+    settings.flaws.push_back(read_flaw(flaw));
+  }
+  if (const auto materials = root.table_if_any("material")) {
+    for (const std::string& name : materials->keys()) {
+      settings.materials[name] = read_material(materials->table(name));
+    }
+  }
+  for (const TomlReader& platen : root.tables("platen")) {
+    settings.platens.push_back(read_platen(platen));
+  }
+}
+
+}  // namespace
+
+Case read_case(const std::filesystem::path& path, std::span<const std::string> overrides) {
+  const TomlDocument document = load_document(path, overrides);
+  const TomlReader root(document.root, "", document.source);
+  root.allow_only(Keys{"title", "dimension", "grid", "body", "flaw", "material", "platen", "time",
+                       "damping", "viscosity", "body_force", "output", "tuning"});
+  Case settings;
+  settings.source = document.source;
+  root.accept("title", settings.title);
+  root.accept("dimension", settings.dimension);
+  // Before any vector is read, for its length follows from it.
+  check_dimension(settings);
+  read_grid(root.table("grid"), settings.grid);
+  read_tables(root, settings);
+  read_time(root.table("time"), settings.time);
+  read_optional_table<double>(root, "damping", {{"local", settings.local_damping}});
+  read_optional_table<double>(
+      root, "viscosity",
+      {{"quadratic", settings.quadratic_viscosity}, {"linear", settings.linear_viscosity}});
+  read_optional_table<Vector>(root, "body_force", {{"acceleration", settings.body_acceleration}});
+  if (const auto output = root.table_if_any("output")) {
+    read_output(*output, settings.output);
+  }
+  read_optional_table<int>(root, "tuning", {{"threads", settings.threads}});
+  check_case(settings);
+  return settings;
+}
+
+}  // namespace rgimp

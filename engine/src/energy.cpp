@@ -1,0 +1,68 @@
+#include "energy.hpp"
+
+namespace rgimp {
+namespace {
+
+using kernels::kGroupWidth;
+
+/// Lanes are summed side by side and only then together: the compiler may keep them in registers.
+struct LaneSums {
+  double kinetic[kGroupWidth] = {};
+  double strain[kGroupWidth] = {};
+};
+
+template <int Dim>
+void add_slot(const kernels::ParticleView<Dim>& p, std::size_t slot,
+              const kernels::MaterialConstants& material, LaneSums& sums) {
+  for (int lane = 0; lane < kGroupWidth; ++lane) {
+    const std::size_t i = slot * kGroupWidth + static_cast<std::size_t>(lane);
+    double speed2 = 0.0;
+    for (int a = 0; a < Dim; ++a) {
+      speed2 += p.velocity[a][i] * p.velocity[a][i];
+    }
+    double square = 0.0;
+    double trace = 0.0;
+    for (int c = 0; c < kernels::kStressComponents<Dim>; ++c) {
+      const double s = p.stress[c][i];
+      square += (c < 3 ? 1.0 : 2.0) * s * s;
+      trace += c < 3 ? s : 0.0;
+    }
+    sums.kinetic[lane] += 0.5 * p.mass[i] * speed2;
+    sums.strain[lane] += p.volume[i] * (material.energy_of_square * square -
+                                        material.energy_of_trace * trace * trace);
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+StoredEnergy stored_energy(Particles<Dim>& particles, std::ptrdiff_t groups_in_row,
+                           std::ptrdiff_t rows,
+                           const std::vector<kernels::MaterialConstants>& materials,
+                           Workers& workers) {
+  const kernels::ParticleView<Dim> view = particles.view();
+  std::vector<StoredEnergy> by_row(static_cast<std::size_t>(rows));
+  workers.for_each(rows, [&](std::ptrdiff_t row) {
+    LaneSums sums;
+    const std::size_t first = view.group_begin[row * groups_in_row];
+    const std::size_t last = view.group_begin[(row + 1) * groups_in_row];
+    for (std::size_t slot = first; slot < last; ++slot) {
+      add_slot(view, slot, materials[view.slot_material[slot]], sums);
+    }
+    for (int lane = 0; lane < kGroupWidth; ++lane) {
+      by_row[row].kinetic += sums.kinetic[lane];
+      by_row[row].strain += sums.strain[lane];
+    }
+  });
+  StoredEnergy total;
+  for (const StoredEnergy& row : by_row) {
+    total.kinetic += row.kinetic;
+    total.strain += row.strain;
+  }
+  return total;
+}
+
+template StoredEnergy stored_energy<2>(Particles<2>&, std::ptrdiff_t, std::ptrdiff_t,
+                                       const std::vector<kernels::MaterialConstants>&, Workers&);
+
+}  // namespace rgimp

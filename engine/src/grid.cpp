@@ -1,0 +1,90 @@
+#include "grid.hpp"
+
+#include <algorithm>
+
+namespace rgimp {
+
+template <int Dim>
+Grid<Dim>::Grid(const GridExtent& extent, int particles_per_cell)
+    : extent_(extent),
+      particle_half_size_(0.5 / particles_per_cell),
+      groups_in_row_((extent.nodes[0] + kernels::kGroupWidth - 1) / kernels::kGroupWidth) {
+  const std::size_t size = static_cast<std::size_t>(rows() * row_stride() + 2 * kHalo);
+  mass_.resize(size);
+  damping_.resize(size);
+  for (int a = 0; a < Dim; ++a) {
+    momentum_[a].resize(size);
+    force_[a].resize(size);
+    second_field_[a].resize(size);
+  }
+}
+
+template <int Dim>
+std::ptrdiff_t Grid<Dim>::rows() const {
+  return extent_.nodes[1] * extent_.nodes[2];
+}
+
+template <int Dim>
+Vector Grid<Dim>::position(std::ptrdiff_t node) const {
+  const std::ptrdiff_t row = node / row_stride();
+  const Vector index(static_cast<double>(node % row_stride()),
+                     static_cast<double>(row % extent_.nodes[1]),
+                     static_cast<double>(row / extent_.nodes[1]));
+  return extent_.origin + extent_.cell_size * index;
+}
+
+template <int Dim>
+void Grid<Dim>::set_damping(double beta) {
+  std::fill(damping_.begin(), damping_.end(), beta);
+}
+
+template <int Dim>
+kernels::GridView<Dim> Grid<Dim>::view() {
+  kernels::GridView<Dim> v{};
+  for (int a = 0; a < Dim; ++a) {
+    v.origin[a] = extent_.origin[a];
+    v.momentum[a] = momentum_[a].data() + kHalo;
+    v.force[a] = force_[a].data() + kHalo;
+    v.second_field[a] = second_field_[a].data() + kHalo;
+  }
+  v.cell_size = extent_.cell_size;
+  v.particle_half_size = particle_half_size_;
+  v.groups_in_row = groups_in_row_;
+  v.rows_in_plane = extent_.nodes[1];
+  v.mass = mass_.data() + kHalo;
+  v.damping = damping_.data() + kHalo;
+  return v;
+}
+
+template <int Dim>
+void Grid<Dim>::clear_rows(Field& field, kernels::RowRange rows) {
+  std::fill(field.begin() + kHalo + rows.first * row_stride(),
+            field.begin() + kHalo + rows.last * row_stride(), 0.0);
+}
+
+template <int Dim>
+void Grid<Dim>::clear(kernels::RowRange rows) {
+  clear_rows(mass_, rows);
+  for (auto& field : momentum_) {
+    clear_rows(field, rows);
+  }
+  for (auto& field : force_) {
+    clear_rows(field, rows);
+  }
+}
+
+template <int Dim>
+void Grid<Dim>::clear_second_field(kernels::RowRange rows) {
+  for (auto& field : second_field_) {
+    clear_rows(field, rows);
+  }
+}
+
+template <int Dim>
+std::size_t Grid<Dim>::memory_bytes() const {
+  return (mass_.capacity() + damping_.capacity() + 3 * Dim * force_[0].capacity()) * sizeof(double);
+}
+
+template class Grid<2>;
+
+}  // namespace rgimp

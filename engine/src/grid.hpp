@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "column.hpp"
+#include "geometry.hpp"
+#include "rgimp/kernels/views.hpp"
+
+namespace rgimp {
+
+/// Node fields of the background grid; layout and units as in kernels::GridView.
+template <int Dim>
+class Grid {
+ public:
+  Grid(const GridExtent& extent, int particles_per_cell);
+
+  const GridExtent& extent() const { return extent_; }
+  std::ptrdiff_t groups_in_row() const { return groups_in_row_; }
+  std::ptrdiff_t row_stride() const { return groups_in_row_ * kernels::kGroupWidth; }
+  std::ptrdiff_t rows() const;
+  /// Half a particle over a cell, l_p / L; the same for all particles and steps (uGIMP).
+  double particle_half_size() const { return particle_half_size_; }
+
+  Vector position(std::ptrdiff_t node) const;
+  void set_damping(double beta);
+  /// Platen nodes are not damped, else reactions would be over-reported by 1 + beta.
+  void clear_damping(std::ptrdiff_t node) { damping_[kHalo + node] = 0.0; }
+
+  kernels::GridView<Dim> view();
+  /// Sets mass, momentum and force of node rows to zero.
+  void clear(kernels::RowRange rows);
+  void clear_second_field(kernels::RowRange rows);
+  std::size_t memory_bytes() const;
+
+ private:
+  static constexpr std::ptrdiff_t kHalo = 8;  // readable doubles around each field
+  using Field = Column<double>;
+
+  void clear_rows(Field& field, kernels::RowRange rows);
+
+  GridExtent extent_;
+  double particle_half_size_;
+  std::ptrdiff_t groups_in_row_;
+  Field mass_;
+  std::array<Field, Dim> momentum_;
+  std::array<Field, Dim> force_;
+  std::array<Field, Dim> second_field_;
+  Field damping_;
+};
+
+}  // namespace rgimp

@@ -1,0 +1,153 @@
+#include "platens.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace rgimp {
+
+PlatenAxis axis_of(Side side) {
+  switch (side) {
+    case Side::left:
+      return {0, 1.0};
+    case Side::right:
+      return {0, -1.0};
+    case Side::bottom:
+      return {1, 1.0};
+    case Side::top:
+      return {1, -1.0};
+  }
+  return {1, -1.0};
+}
+
+double platen_speed(const Platen& platen, double time) {
+  if (time >= platen.ramp) {
+    return platen.speed;
+  }
+  const double s = time / platen.ramp;
+  return platen.speed * s * s * (3.0 - 2.0 * s);
+}
+
+double platen_travel(const Platen& platen, double time) {
+  if (time >= platen.ramp) {
+    return platen.speed * (time - 0.5 * platen.ramp);
+  }
+  const double s = time / platen.ramp;
+  return platen.speed * platen.ramp * s * s * s * (1.0 - 0.5 * s);
+}
+
+template <int Dim>
+Platens<Dim>::Platens(const Case& settings, Grid<Dim>& grid)
+    : settings_(settings.platens), velocity_(settings.platens.size(), 0.0) {
+  const Box specimen = bounds(settings);
+  for (std::size_t p = 0; p < settings_.size(); ++p) {
+    constrain_nodes(p, specimen, grid);
+  }
+  // Where a component is prescribed twice (a corner), a normal velocity wins over sticking.
+  std::stable_sort(constraints_.begin(), constraints_.end(),
+                   [](const Constraint& a, const Constraint& b) {
+                     return std::tuple(a.node, a.component, !a.is_normal) <
+                            std::tuple(b.node, b.component, !b.is_normal);
+                   });
+  const auto same = [](const Constraint& a, const Constraint& b) {
+    return a.node == b.node && a.component == b.component;
+  };
+  constraints_.erase(std::unique(constraints_.begin(), constraints_.end(), same),
+                     constraints_.end());
+  row_begin_.assign(static_cast<std::size_t>(grid.rows()) + 1, 0);
+  for (const Constraint& constraint : constraints_) {
+    grid.clear_damping(constraint.node);
+    ++row_begin_[static_cast<std::size_t>(constraint.node / grid.row_stride()) + 1];
+  }
+  for (std::size_t row = 1; row < row_begin_.size(); ++row) {
+    row_begin_[row] += row_begin_[row - 1];
+  }
+}
+
+template <int Dim>
+void Platens<Dim>::constrain_nodes(std::size_t platen, const Box& specimen, const Grid<Dim>& grid) {
+  constexpr double kContactTolerance = 1e-9;  // m, nodes on the edge of the half width are in
+  const Platen& p = settings_[platen];
+  const PlatenAxis side = axis_of(p.side);
+  const double end = side.towards < 0.0 ? specimen.max[side.axis] : specimen.min[side.axis];
+  const double slack = 1e-6 * grid.extent().cell_size;
+  const int across = side.axis == 0 ? 1 : 0;
+  const double centre = 0.5 * (specimen.min[across] + specimen.max[across]);
+  for (std::ptrdiff_t node = 0; node < grid.rows() * grid.row_stride(); ++node) {
+    const Vector x = grid.position(node);
+    const bool beyond = (end - x[side.axis]) * side.towards >= -slack;
+    const bool touched =
+        !p.half_width || std::abs(x[across] - centre) <= *p.half_width + kContactTolerance;
+    if (!beyond || !touched) {
+      continue;
+    }
+    for (int a = 0; a < Dim; ++a) {
+      if (a == side.axis || p.lateral == Lateral::stick) {
+        constraints_.push_back({node, static_cast<std::uint8_t>(a),
+                                static_cast<std::uint8_t>(platen), a == side.axis});
+      }
+    }
+  }
+}
+
+template <int Dim>
+void Platens<Dim>::set_time(double time) {
+  for (std::size_t p = 0; p < settings_.size(); ++p) {
+    velocity_[p] = axis_of(settings_[p].side).towards * platen_speed(settings_[p], time);
+  }
+}
+
+template <int Dim>
+double Platens<Dim>::max_speed() const {
+  double most = 0.0;
+  for (const double velocity : velocity_) {
+    most = std::max(most, std::abs(velocity));
+  }
+  return most;
+}
+
+template <int Dim>
+double Platens<Dim>::target(const Constraint& constraint) const {
+  return constraint.is_normal ? velocity_[constraint.platen] : 0.0;
+}
+
+template <int Dim>
+void Platens<Dim>::impose(const kernels::GridView<Dim>& grid, double dt, double least_mass,
+                          kernels::RowRange rows, std::vector<PlatenSums>& by_row) const {
+  for (std::ptrdiff_t row = rows.first; row < rows.last; ++row) {
+    PlatenSums& sums = by_row[row];
+    sums.work = 0.0;
+    std::fill(sums.reaction.begin(), sums.reaction.end(), 0.0);
+    for (std::size_t c = row_begin_[row]; c < row_begin_[row + 1]; ++c) {
+      const Constraint& constraint = constraints_[c];
+      double& velocity = grid.momentum[constraint.component][constraint.node];
+      double& acceleration = grid.force[constraint.component][constraint.node];
+      const double mass = grid.mass[constraint.node];
+      const double prescribed = target(constraint);
+      if (mass > least_mass) {
+        const double before = velocity - dt * acceleration;
+        const double force = mass * (prescribed - velocity) / dt;
+        sums.work += force * 0.5 * dt * (before + prescribed);
+        if (constraint.is_normal) {
+          sums.reaction[constraint.platen] +=
+              force * axis_of(settings_[constraint.platen].side).towards;
+        }
+        acceleration += (prescribed - velocity) / dt;
+      }
+      velocity = prescribed;
+    }
+  }
+}
+
+template <int Dim>
+void Platens<Dim>::impose_on_second_field(const kernels::GridView<Dim>& grid,
+                                          kernels::RowRange rows) const {
+  for (std::size_t c = row_begin_[rows.first]; c < row_begin_[rows.last]; ++c) {
+    const Constraint& constraint = constraints_[c];
+    grid.second_field[constraint.component][constraint.node] = target(constraint);
+  }
+}
+
+template class Platens<2>;
+
+}  // namespace rgimp

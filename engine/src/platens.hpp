@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "grid.hpp"
+#include "rgimp/case.hpp"
+
+namespace rgimp {
+
+/// Which way a platen moves and looks.
+struct PlatenAxis {
+  int axis;        ///< 0 x, 1 y
+  double towards;  ///< +1 or -1: direction of travel towards the specimen along the axis
+};
+
+PlatenAxis axis_of(Side side);
+
+/// Smooth step from 0 to `speed` over `ramp`, m/s towards the specimen.
+double platen_speed(const Platen& platen, double time);
+/// Its time integral, m.
+double platen_travel(const Platen& platen, double time);
+
+/// What the platens do to a row of nodes in a step.
+struct PlatenSums {
+  double work = 0.0;             ///< J, done on the nodes
+  std::vector<double> reaction;  ///< N per platen, on the specimen, towards it > 0
+};
+
+/// Rigid plates: prescribed normal velocity, both signs (bonded), of all node rows at or beyond
+/// the specimen's end, rows fixed in space. The other component slips freely or sticks (zero).
+template <int Dim>
+class Platens {
+ public:
+  /// Also takes the damping off the platens' nodes.
+  Platens(const Case& settings, Grid<Dim>& grid);
+
+  void set_time(double time);
+  double max_speed() const;  ///< m/s at the set time
+  std::size_t count() const { return settings_.size(); }
+
+  /// After update_nodes: the prescribed velocity replaces velocity and acceleration
+  /// (u = u_bar, Eq. 4). The reaction is the force that takes. Adds to by_row[row], which holds
+  /// one reaction per platen.
+  void impose(const kernels::GridView<Dim>& grid, double dt, double least_mass,
+              kernels::RowRange rows, std::vector<PlatenSums>& by_row) const;
+  /// The prescribed velocity in the field that strains come from.
+  void impose_on_second_field(const kernels::GridView<Dim>& grid, kernels::RowRange rows) const;
+
+ private:
+  struct Constraint {
+    std::ptrdiff_t node;
+    std::uint8_t component;
+    std::uint8_t platen;
+    bool is_normal;  // else held at zero by a platen that sticks
+  };
+
+  void constrain_nodes(std::size_t platen, const Box& specimen, const Grid<Dim>& grid);
+  double target(const Constraint& constraint) const;
+
+  std::vector<Platen> settings_;
+  std::vector<double> velocity_;  // by platen, along the axis, at the set time
+  std::vector<Constraint> constraints_;
+  std::vector<std::size_t> row_begin_;
+};
+
+}  // namespace rgimp

@@ -1,0 +1,187 @@
+#include "rgimp/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <numeric>
+
+#include "rgimp/case_file.hpp"
+#include "rgimp/error.hpp"
+#include "solver.hpp"
+
+namespace rgimp {
+namespace {
+
+/// The machine's best, or what RGIMP_ISA names.
+kernels::Isa choose_isa() {
+  const char* wanted = std::getenv("RGIMP_ISA");
+  if (wanted == nullptr || *wanted == '\0') {
+    return kernels::best_isa();
+  }
+  std::string known;
+  for (const kernels::Isa isa : kernels::kAllIsas) {
+    if (kernels::name(isa) == std::string_view(wanted)) {
+      if (!kernels::available(isa)) {
+        throw CaseError(fmt::format("RGIMP_ISA: this machine lacks {}", wanted));
+      }
+      return isa;
+    }
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", kernels::name(isa));
+  }
+  throw CaseError(fmt::format("RGIMP_ISA: unknown ISA \"{}\", expected one of {}", wanted, known));
+}
+
+Case checked(Case settings) {
+  check_case(settings);
+  return settings;
+}
+
+double max_principal(const std::array<double, 6>& s) {
+  const double centre = 0.5 * (s[0] + s[1]);
+  const double radius = std::hypot(0.5 * (s[0] - s[1]), s[3]);
+  return std::max(centre + radius, s[2]);
+}
+
+/// FNV-1a over eight-byte words.
+class Hash {
+ public:
+  template <typename T>
+  void add(T value) {
+    static_assert(sizeof(T) <= sizeof(std::uint64_t));
+    std::uint64_t word = 0;
+    std::memcpy(&word, &value, sizeof(T));
+    for (int byte = 0; byte < 8; ++byte) {
+      state_ = (state_ ^ ((word >> (8 * byte)) & 0xff)) * 0x100000001b3u;
+    }
+  }
+  std::uint64_t value() const { return state_; }
+
+ private:
+  std::uint64_t state_ = 0xcbf29ce484222325u;
+};
+
+}  // namespace
+
+class Simulation::Implementation {
+ public:
+  explicit Implementation(Case settings)
+      : settings_(checked(std::move(settings))),
+        isa_(choose_isa()),
+        workers_(settings_.threads),
+        solver_(settings_, isa_, workers_) {}
+
+  void run_until(std::int64_t step) {
+    workers_.region([&] {
+      while (solver_.steps_done() < step) {
+        solver_.step();
+      }
+    });
+  }
+
+  HistoryRow history() {
+    HistoryRow row;
+    workers_.region([&] { row = solver_.history(); });
+    return row;
+  }
+
+  Solver<2>& solver() { return solver_; }
+  const Case& settings() const { return settings_; }
+
+  std::vector<std::size_t> lanes_by_id() {
+    std::vector<std::size_t> lane(solver_.particles().count);
+    for (std::size_t i = 0; i < solver_.particles().lanes(); ++i) {
+      if (!solver_.particles().is_padding(i)) {
+        lane[solver_.particles().id[i]] = i;
+      }
+    }
+    return lane;
+  }
+
+  Facts facts() {
+    Facts facts;
+    facts.particles = solver_.particles().count;
+    facts.nodes = solver_.grid().extent().nodes;
+    facts.dt = solver_.dt();
+    facts.total_steps = settings_.time.steps
+                            ? *settings_.time.steps
+                            : std::llround(std::ceil(*settings_.time.duration / solver_.dt()));
+    facts.memory_bytes = solver_.memory_bytes();
+    facts.isa = kernels::name(isa_);
+    facts.threads = workers_.threads();
+    return facts;
+  }
+
+ private:
+  Case settings_;
+  kernels::Isa isa_;
+  Workers workers_;
+  Solver<2> solver_;
+};
+
+Simulation::Simulation(Case settings)
+    : implementation_(std::make_unique<Implementation>(std::move(settings))) {}
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+void Simulation::step() {
+  run_until(steps_done() + 1);
+}
+void Simulation::run_until(std::int64_t step) {
+  implementation_->run_until(step);
+}
+std::int64_t Simulation::steps_done() const {
+  return implementation_->solver().steps_done();
+}
+double Simulation::time() const {
+  return implementation_->solver().time();
+}
+double Simulation::critical_step_ratio() const {
+  return implementation_->solver().critical_step_ratio();
+}
+HistoryRow Simulation::history() const {
+  return implementation_->history();
+}
+std::optional<FirstFailure> Simulation::first_failure() const {
+  return implementation_->solver().first_failure();
+}
+double Simulation::peak_axial_stress() const {
+  return implementation_->solver().peak_axial_stress();
+}
+Facts Simulation::facts() const {
+  return implementation_->facts();
+}
+const Case& Simulation::settings() const {
+  return implementation_->settings();
+}
+
+ParticleTable Simulation::particles() const {
+  const Particles<2>& p = implementation_->solver().particles();
+  ParticleTable table;
+  for (const std::size_t i : implementation_->lanes_by_id()) {
+    const std::array<double, 6> stress = {
+        p.stress[0][i], p.stress[1][i], p.stress[2][i], p.stress[3][i], 0.0, 0.0};
+    table.id.push_back(p.id[i]);
+    table.position.push_back({p.position[0][i], p.position[1][i], 0.0});
+    table.velocity.push_back({p.velocity[0][i], p.velocity[1][i], 0.0});
+    table.stress.push_back(stress);
+    table.max_principal_stress.push_back(max_principal(stress));
+    table.failed.push_back(static_cast<FailureMode>(static_cast<int>(p.failure_mode[i])));
+    table.failure_step.push_back(p.failure_step[i]);
+  }
+  return table;
+}
+
+std::uint64_t Simulation::state_hash() const {
+  Particles<2>& p = implementation_->solver().particles();
+  Hash hash;
+  for (const std::size_t i : implementation_->lanes_by_id()) {
+    p.for_each_column([&](const auto& column, auto) { hash.add(column[i]); });
+  }
+  return hash.value();
+}
+
+}  // namespace rgimp

@@ -1,0 +1,385 @@
+#include "solver.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "binning.hpp"
+#include "failure_limits.hpp"
+#include "rgimp/error.hpp"
+
+namespace rgimp {
+namespace {
+
+/// Layers of a band: 8 node rows in the plane, 4 planes in space.
+template <int Dim>
+constexpr std::ptrdiff_t kBandHeight = Dim == 2 ? 8 : 4;
+
+/// Nodes lighter than this share of a quarter (2D) of a full cell are skipped: they hold round-off.
+constexpr double kLeastMassShare = 1e-12;
+
+double fastest_sound(const Case& settings) {
+  double most = 0.0;
+  for (const Body& body : settings.bodies) {
+    most = std::max(most, sound_speed(settings.materials.at(body.material)));
+  }
+  return most;
+}
+
+template <int Dim>
+double least_node_mass(const Case& settings) {
+  double density = settings.materials.at(settings.bodies.front().material).density;
+  for (const Body& body : settings.bodies) {
+    density = std::min(density, settings.materials.at(body.material).density);
+  }
+  return kLeastMassShare * density * std::pow(0.5 * settings.grid.cell_size, Dim);
+}
+
+/// The axis of the first moving platen, else of the first platen, else y.
+int load_axis_of(const Case& settings) {
+  for (const Platen& platen : settings.platens) {
+    if (platen.speed != 0.0) {
+      return axis_of(platen.side).axis;
+    }
+  }
+  return settings.platens.empty() ? 1 : axis_of(settings.platens.front().side).axis;
+}
+
+double width_across(const Case& settings, int load_axis) {
+  const Box box = bounds(settings);
+  const int across = load_axis == 0 ? 1 : 0;
+  return box.max[across] - box.min[across];
+}
+
+}  // namespace
+
+template <int Dim>
+Solver<Dim>::Solver(const Case& settings, kernels::Isa isa, Workers& workers)
+    : workers_(workers),
+      kernels_(kernels::kernels_for<Dim>(isa)),
+      integrator_(settings.time.integrator),
+      grid_(grid_extent(settings), settings.bodies.front().particles_per_cell),
+      bands_(grid_.extent().nodes[Dim - 1], grid_.rows() / grid_.extent().nodes[Dim - 1],
+             kBandHeight<Dim>),
+      platens_((grid_.set_damping(settings.local_damping), settings), grid_),
+      platen_settings_(settings.platens),
+      load_axis_(load_axis_of(settings)),
+      width_(width_across(settings, load_axis_)),
+      sound_speed_(fastest_sound(settings)),
+      dt_(settings.time.step_factor * settings.grid.cell_size / sound_speed_) {
+  for (const auto& [name, material] : settings.materials) {
+    materials_.push_back(material_constants(material, settings));
+  }
+  const std::vector<ParticleSeed> seeds = seed_particles(settings);
+  for (const ParticleSeed& seed : seeds) {
+    material_of_id_.push_back(seed.material);
+  }
+  particles_ = particles_from<Dim>(seeds);
+  node_update_.dt = dt_;
+  node_update_.least_mass = least_node_mass<Dim>(settings);
+  for (int a = 0; a < Dim; ++a) {
+    node_update_.body_acceleration[a] = settings.body_acceleration[a];
+  }
+  const auto rows = static_cast<std::size_t>(grid_.rows());
+  node_sums_.resize(rows);
+  particle_sums_.resize(rows);
+  platen_sums_.resize(rows, PlatenSums{0.0, std::vector<double>(platens_.count(), 0.0)});
+  g_ = grid_.view();
+  reaction_of_platen_.resize(platens_.count(), 0.0);
+  rebin();
+  rebins_ = 0;
+}
+
+// ---- the step -------------------------------------------------------------------------------
+// m mass, p momentum, f force, v velocity, a acceleration, s stress, x position, V volume; S the
+// GIMP weights [Eq. 18, 19] of the positions that the step starts from. The v_i of `new_velocity`
+// is that at the end of the step; `strain_velocity` is the field that strains come from.
+
+template <int Dim>
+void Solver<Dim>::step() {
+  double* const* const new_velocity = g_.momentum;
+  double* const* const strain_velocity = g_.second_field;
+  switch (integrator_) {
+    case Integrator::musl:
+      scatter_all();            // m_p v_p s_p V_p -> m_i p_i f_i = -sum V s grad S       [8-10]
+      advance_nodes();          // m_i p_i f_i -> a_i v_i; body force, damping, platens [7, 11, 4]
+      scatter_new_momentum();   // a_i -> v_p += dt sum S a_i -> p_i = sum S m_p v_p      [6, 8]
+      divide(strain_velocity);  // p_i m_i -> v_i; platens                                [8, 4]
+      on_particles([&](Range bins) {
+        strain(bins, strain_velocity);  // v_i -> s_p V_p, failure                        [20, 21]
+        move(bins);                     // new v_i -> x_p += dt sum S v_i                      [6]
+      });
+      break;
+    case Integrator::usl:
+      scatter_all();    // as above                                                         [8-10]
+      advance_nodes();  //                                                              [7, 11, 4]
+      on_particles([&](Range bins) {
+        accelerate(bins);            // a_i -> v_p += dt sum S a_i                             [6]
+        strain(bins, new_velocity);  // v_i -> s_p V_p, failure                           [20, 21]
+        move(bins);                  // v_i -> x_p += dt sum S v_i                             [6]
+      });
+      break;
+    case Integrator::usf:
+      scatter_mass_momentum();  // m_p v_p -> m_i p_i                                       [8, 9]
+      divide(g_.momentum);      // p_i m_i -> v_i at the start of the step; platens         [8, 4]
+      on_particles([&](Range bins) { strain(bins, strain_velocity); });  // as above      [20, 21]
+      scatter_force();  // s_p V_p -> f_i                                             [10]
+      advance_nodes();  // as above                                             [7, 11, 4]
+      on_particles([&](Range bins) {
+        accelerate(bins);  //                                                                  [6]
+        move(bins);        //                                                                  [6]
+      });
+      break;
+  }
+  finish_step();  // row sums -> energy budget, reaction, failures; guards; bins
+}
+
+template <int Dim>
+template <typename Work>
+void Solver<Dim>::over_bands(Stage stage, Work work) {
+  const auto start = std::chrono::steady_clock::now();
+  workers_.for_each(bands_.count(), [&](std::ptrdiff_t band) { work(band); });
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+  stage_seconds_[static_cast<std::size_t>(stage)] += spent.count();
+}
+
+template <int Dim>
+template <typename Work>
+void Solver<Dim>::over_colours(Stage stage, Work work) {
+  const auto start = std::chrono::steady_clock::now();
+  for (int colour = 0; colour < 2; ++colour) {
+    workers_.for_each(bands_.count_of(colour),
+                      [&](std::ptrdiff_t index) { work(Bands::band_of(colour, index)); });
+  }
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+  stage_seconds_[static_cast<std::size_t>(stage)] += spent.count();
+}
+
+template <int Dim>
+void Solver<Dim>::scatter_all() {
+  over_colours(Stage::scatter, [&](std::ptrdiff_t band) {
+    grid_.clear(bands_.cleared_rows(band));
+    kernels_.scatter_all(p_, g_, bands_.rows(band));
+  });
+}
+
+template <int Dim>
+void Solver<Dim>::scatter_mass_momentum() {
+  over_colours(Stage::scatter, [&](std::ptrdiff_t band) {
+    grid_.clear(bands_.cleared_rows(band));
+    kernels_.scatter_mass_momentum(p_, g_, bands_.rows(band));
+  });
+}
+
+template <int Dim>
+void Solver<Dim>::scatter_force() {
+  over_colours(Stage::scatter,
+               [&](std::ptrdiff_t band) { kernels_.scatter_force(p_, g_, bands_.rows(band)); });
+}
+
+template <int Dim>
+void Solver<Dim>::advance_nodes() {
+  platens_.set_time(time() + dt_);
+  over_bands(Stage::nodes, [&](std::ptrdiff_t band) {
+    const Range rows = bands_.rows(band);
+    kernels_.update_nodes(g_, node_update_, rows, node_sums_.data());
+    platens_.impose(g_, dt_, node_update_.least_mass, rows, platen_sums_);
+  });
+}
+
+template <int Dim>
+void Solver<Dim>::scatter_new_momentum() {
+  over_colours(Stage::second_scatter, [&](std::ptrdiff_t band) {
+    grid_.clear_second_field(bands_.cleared_rows(band));
+    accelerate(bands_.rows(band));
+    kernels_.scatter_second_momentum(p_, g_, bands_.rows(band));
+  });
+}
+
+template <int Dim>
+void Solver<Dim>::divide(const double* const* momentum) {
+  over_bands(Stage::second_nodes, [&](std::ptrdiff_t band) {
+    const Range rows = bands_.rows(band);
+    kernels_.divide_by_mass(g_, momentum, node_update_.least_mass, rows);
+    platens_.impose_on_second_field(g_, rows);
+  });
+}
+
+template <int Dim>
+template <typename Work>
+void Solver<Dim>::on_particles(Work work) {
+  over_bands(Stage::particles, [&](std::ptrdiff_t band) { work(bands_.rows(band)); });
+}
+
+template <int Dim>
+void Solver<Dim>::accelerate(Range bins) {
+  kernels_.gather_velocity(p_, g_, dt_, bins);
+}
+
+template <int Dim>
+void Solver<Dim>::strain(Range bins, const double* const* velocity) {
+  kernels_.update_stress(p_, g_, velocity, materials_.data(), dt_,
+                         static_cast<std::int32_t>(steps_done_ + 1), bins, particle_sums_.data());
+}
+
+template <int Dim>
+void Solver<Dim>::move(Range bins) {
+  kernels_.gather_position(p_, g_, dt_, bins);
+}
+
+// ---- after the step -------------------------------------------------------------------------
+
+template <int Dim>
+void Solver<Dim>::finish_step() {
+  ++steps_done_;
+  add_row_sums();
+  if (!first_failure_ && failed_tension_ + failed_shear_ > 0) {
+    note_first_failure();
+  }
+  stop_if_unphysical();
+  drift_ += max_speed_ * dt_ / grid_.extent().cell_size;
+  if (drift_ > margin_) {
+    rebin();
+  }
+}
+
+/// Rows in rising order, so that sums do not depend on threads.
+template <int Dim>
+void Solver<Dim>::add_row_sums() {
+  max_speed_ = platens_.max_speed();
+  std::vector<double>& reaction = reaction_of_platen_;
+  std::fill(reaction.begin(), reaction.end(), 0.0);
+  for (std::size_t row = 0; row < node_sums_.size(); ++row) {
+    budget_.external_work += node_sums_[row].body_force_work + platen_sums_[row].work;
+    budget_.damping_work += node_sums_[row].damping_work;
+    budget_.viscous_work += particle_sums_[row].viscous_work;
+    budget_.released_energy += particle_sums_[row].released_energy;
+    failed_tension_ += particle_sums_[row].failed_tension;
+    failed_shear_ += particle_sums_[row].failed_shear;
+    max_speed_ = std::max(max_speed_, node_sums_[row].max_speed);
+    for (std::size_t p = 0; p < reaction.size(); ++p) {
+      reaction[p] += platen_sums_[row].reaction[p];
+    }
+  }
+  peak_axial_stress_ = std::max(peak_axial_stress_, axial_stress());
+}
+
+/// Mean over the platens on the axis of the load, N.
+template <int Dim>
+double Solver<Dim>::reaction() const {
+  double sum = 0.0;
+  int opposed = 0;
+  for (std::size_t p = 0; p < platen_settings_.size(); ++p) {
+    if (axis_of(platen_settings_[p].side).axis == load_axis_) {
+      sum += reaction_of_platen_[p];
+      ++opposed;
+    }
+  }
+  return opposed > 0 ? sum / opposed : 0.0;
+}
+
+template <int Dim>
+double Solver<Dim>::axial_stress() const {
+  return reaction() / width_;
+}
+
+template <int Dim>
+double Solver<Dim>::closure() const {
+  double sum = 0.0;
+  for (const Platen& platen : platen_settings_) {
+    if (axis_of(platen.side).axis == load_axis_) {
+      sum += platen_travel(platen, time());
+    }
+  }
+  return sum;
+}
+
+template <int Dim>
+void Solver<Dim>::note_first_failure() {
+  std::optional<std::size_t> first;
+  for (std::size_t i = 0; i < particles_.lanes(); ++i) {
+    const bool failed = !particles_.is_padding(i) && particles_.failure_mode[i] > kernels::kIntact;
+    if (failed && (!first || particles_.id[i] < particles_.id[*first])) {
+      first = i;
+    }
+  }
+  FirstFailure failure;
+  failure.step = steps_done_;
+  failure.closure = closure();
+  failure.axial_stress = axial_stress();
+  for (int a = 0; a < Dim; ++a) {
+    failure.position[a] = particles_.position[a][*first];
+  }
+  failure.mode = particles_.failure_mode[*first] == kernels::kFailedInTension ? FailureMode::tension
+                                                                              : FailureMode::shear;
+  first_failure_ = failure;
+}
+
+/// A value that is not a number in any node reaches the damping work, so one look finds it.
+template <int Dim>
+void Solver<Dim>::stop_if_unphysical() const {
+  const bool finite = std::isfinite(max_speed_) && std::isfinite(budget_.damping_work) &&
+                      std::isfinite(budget_.external_work) && std::isfinite(budget_.viscous_work);
+  if (!finite) {
+    throw PhysicsError(
+        fmt::format("step {}: velocities are no longer numbers; lower time.step_factor, or raise "
+                    "damping.local or viscosity if the specimen bursts",
+                    steps_done_));
+  }
+  const double ratio = critical_step_ratio();
+  if (ratio > 1.0) {
+    throw PhysicsError(fmt::format(
+        "step {}: the time step {:.6g} s is {:.4g} times the critical one (Eq. 22) at a speed of "
+        "{:.4g} m/s; lower time.step_factor, or raise damping.local if the specimen bursts",
+        steps_done_, dt_, ratio, max_speed_));
+  }
+}
+
+template <int Dim>
+double Solver<Dim>::critical_step_ratio() const {
+  return dt_ * (sound_speed_ + max_speed_) / grid_.extent().cell_size;
+}
+
+template <int Dim>
+void Solver<Dim>::rebin() {
+  margin_ = bin_particles(particles_, material_of_id_, grid_, workers_);
+  drift_ = 0.0;
+  p_ = particles_.view();
+  ++rebins_;
+}
+
+template <int Dim>
+HistoryRow Solver<Dim>::history() {
+  const StoredEnergy stored =
+      stored_energy(particles_, grid_.groups_in_row(), grid_.rows(), materials_, workers_);
+  HistoryRow row;
+  row.step = steps_done_;
+  row.time = time();
+  row.closure = closure();
+  row.axial_stress = axial_stress();
+  row.reaction = reaction();
+  row.kinetic_energy = stored.kinetic;
+  row.strain_energy = stored.strain;
+  row.external_work = budget_.external_work;
+  row.damping_work = budget_.damping_work;
+  row.viscous_work = budget_.viscous_work;
+  row.released_energy = budget_.released_energy;
+  row.failed_tension = failed_tension_;
+  row.failed_shear = failed_shear_;
+  return row;
+}
+
+template <int Dim>
+std::size_t Solver<Dim>::memory_bytes() const {
+  constexpr std::size_t kDoubles = 2 * Dim + Particles<Dim>::kStress + 4;
+  const std::size_t lane = kDoubles * sizeof(double) + sizeof(std::int32_t) + sizeof(std::uint32_t);
+  return particles_.lanes() * lane + particles_.slot_material.size() +
+         particles_.group_begin.size() * sizeof(std::uint32_t) + material_of_id_.size() +
+         grid_.memory_bytes();
+}
+
+template class Solver<2>;
+
+}  // namespace rgimp

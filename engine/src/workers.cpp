@@ -1,0 +1,150 @@
+#include "workers.hpp"
+
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/task_arena.h>
+#include <oneapi/tbb/task_group.h>
+
+#include <thread>
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+// The one file that knows oneTBB.
+namespace rgimp {
+namespace {
+
+constexpr int kIndexBits = 24;
+constexpr std::uint64_t kIndexMask = (std::uint64_t{1} << kIndexBits) - 1;
+constexpr int kSpinsBeforeYield = 2000;
+
+std::uint64_t next_of(std::uint64_t tickets) {
+  return tickets & kIndexMask;
+}
+std::uint64_t count_of(std::uint64_t tickets) {
+  return (tickets >> kIndexBits) & kIndexMask;
+}
+std::uint64_t phase_of(std::uint64_t tickets) {
+  return tickets >> (2 * kIndexBits);
+}
+
+/// Waits a moment: a pause first, the rest of the time slice when it takes long.
+class Backoff {
+ public:
+  void wait() {
+    if (++spins_ < kSpinsBeforeYield) {
+#if defined(__x86_64__)
+      _mm_pause();
+#endif
+    } else {
+      std::this_thread::yield();
+    }
+  }
+  void reset() {
+    spins_ = 0;
+  }
+
+ private:
+  int spins_ = 0;
+};
+
+}  // namespace
+
+class Workers::Arena {
+ public:
+  explicit Arena(int threads)
+      : threads_(threads > 0 ? threads : tbb::info::default_concurrency()), arena_(threads_) {
+    if (threads_ > tbb::info::default_concurrency()) {
+      oversubscribe_ = std::make_unique<tbb::global_control>(
+          tbb::global_control::max_allowed_parallelism, threads_);
+    }
+  }
+
+  int threads() const { return threads_; }
+  tbb::task_arena& arena() { return arena_; }
+
+ private:
+  int threads_;
+  std::unique_ptr<tbb::global_control> oversubscribe_;
+  tbb::task_arena arena_;
+};
+
+Workers::Workers(int threads) : arena_(std::make_unique<Arena>(threads)) {}
+Workers::~Workers() = default;
+
+int Workers::threads() const {
+  return arena_->threads();
+}
+
+void Workers::region(const std::function<void()>& body) {
+  if (threads() == 1) {
+    body();
+    return;
+  }
+  arena_->arena().execute([&] {
+    open_.store(true, std::memory_order_release);
+    tbb::task_group helpers;
+    for (int t = 1; t < threads(); ++t) {
+      helpers.run([this] { help(); });
+    }
+    // Helpers must have left before an exception of `body` goes on.
+    try {
+      body();
+    } catch (...) {
+      open_.store(false, std::memory_order_release);
+      helpers.wait();
+      throw;
+    }
+    open_.store(false, std::memory_order_release);
+    helpers.wait();
+  });
+}
+
+void Workers::run(Phase phase, std::ptrdiff_t count) {
+  if (!open_.load(std::memory_order_relaxed)) {
+    for (std::ptrdiff_t index = 0; index < count; ++index) {
+      phase.call(phase.context, index);
+    }
+    return;
+  }
+  phase_ = phase;
+  done_.store(0, std::memory_order_relaxed);
+  const std::uint64_t number = phase_of(tickets_.load(std::memory_order_relaxed)) + 1;
+  tickets_.store((number << (2 * kIndexBits)) | (static_cast<std::uint64_t>(count) << kIndexBits),
+                 std::memory_order_release);
+  while (take_one()) {
+  }
+  Backoff backoff;
+  while (done_.load(std::memory_order_acquire) != count) {
+    backoff.wait();
+  }
+}
+
+bool Workers::take_one() {
+  const std::uint64_t seen = tickets_.load(std::memory_order_relaxed);
+  if (next_of(seen) >= count_of(seen)) {
+    return false;
+  }
+  const std::uint64_t ticket = tickets_.fetch_add(1, std::memory_order_acq_rel);
+  if (next_of(ticket) >= count_of(ticket)) {
+    return false;
+  }
+  // The phase cannot end, so phase_ cannot change, before this index is counted as done.
+  phase_.call(phase_.context, static_cast<std::ptrdiff_t>(next_of(ticket)));
+  done_.fetch_add(1, std::memory_order_release);
+  return true;
+}
+
+void Workers::help() {
+  Backoff backoff;
+  while (open_.load(std::memory_order_acquire)) {
+    if (take_one()) {
+      backoff.reset();
+    } else {
+      backoff.wait();
+    }
+  }
+}
+
+}  // namespace rgimp

@@ -1,0 +1,90 @@
+#pragma once
+
+#include "failure.hpp"
+#include "g2p.hpp"
+
+namespace rgimp::kernels::reference {
+
+/// Strain and rotation of a step in the plane.
+struct PlaneIncrement {
+  double xx;        ///< 1
+  double yy;        ///< 1
+  double xy;        ///< 1, engineering shear
+  double rotation;  ///< rad, dt (dvx/dy - dvy/dx) / 2
+};
+
+inline PlaneIncrement plane_increment(const double (&gradient)[2][2], double dt) {
+  return {dt * gradient[0][0], dt * gradient[1][1], dt * (gradient[0][1] + gradient[1][0]),
+          0.5 * dt * (gradient[0][1] - gradient[1][0])};
+}
+
+/// Hooke's law in plane strain with the Jaumann rate, sigma += C : D dt + W sigma - sigma W.
+inline PlaneStress elastic_stress(const PlaneStress& s, const PlaneIncrement& e,
+                                  const MaterialConstants& material) {
+  const double volumetric = material.lambda * (e.xx + e.yy);
+  const double shear = material.shear_modulus;
+  const double turned = 2.0 * e.rotation * s.xy;
+  return {s.xx + volumetric + 2.0 * shear * e.xx + turned,
+          s.yy + volumetric + 2.0 * shear * e.yy - turned, s.zz + volumetric,
+          s.xy + shear * e.xy + e.rotation * (s.yy - s.xx)};
+}
+
+/// Volume and bulk viscosity: q V = m (c0 L^2 (tr D)^2 + c1 L c |tr D|) in compression.
+inline void update_volume(const ParticleView<2>& particles, std::size_t p, double trace, double dt,
+                          const MaterialConstants& material) {
+  const double closing = std::min(trace, 0.0) / dt;
+  particles.viscous_energy[p] =
+      particles.mass[p] * closing *
+      (material.quadratic_viscosity * closing - material.linear_viscosity);
+  particles.volume[p] += particles.volume[p] * trace;
+}
+
+inline void update_particle(const ParticleView<2>& particles, std::size_t p,
+                            const double (&gradient)[2][2], const MaterialConstants& material,
+                            double dt, std::int32_t step, ParticleSums& sums) {
+  const PlaneIncrement increment = plane_increment(gradient, dt);
+  const double trace = increment.xx + increment.yy;
+  sums.viscous_work -= particles.viscous_energy[p] * trace;
+  update_volume(particles, p, trace, dt, material);
+
+  const PlaneStress before = {particles.stress[0][p], particles.stress[1][p],
+                              particles.stress[2][p], particles.stress[3][p]};
+  PlaneStress stress = elastic_stress(before, increment, material);
+  if (particles.failure_mode[p] == kIntact) {
+    const double mode = failure_mode(stress, material.limits);
+    if (mode != kIntact) {
+      particles.failure_mode[p] = mode;
+      particles.failure_step[p] = step;
+      sums.failed_tension += mode == kFailedInTension ? 1 : 0;
+      sums.failed_shear += mode == kFailedInShear ? 1 : 0;
+    }
+  }
+  if (particles.failure_mode[p] != kIntact) {
+    const PlaneStress left = failed_stress(stress, material);
+    sums.released_energy +=
+        particles.volume[p] * (energy_density(stress, material) - energy_density(left, material));
+    stress = left;
+  }
+  particles.stress[0][p] = stress.xx;
+  particles.stress[1][p] = stress.yy;
+  particles.stress[2][p] = stress.zz;
+  particles.stress[3][p] = stress.xy;
+}
+
+inline void update_stress(const ParticleView<2>& particles, const GridView<2>& grid,
+                          const double* const* field, const MaterialConstants* materials, double dt,
+                          std::int32_t step, RowRange bins, ParticleSums* by_row) {
+  for (std::ptrdiff_t row = bins.first; row < bins.last; ++row) {
+    ParticleSums sums{};
+    for_each_particle(particles, grid, {row, row + 1},
+                      [&](std::size_t p, std::ptrdiff_t nearest, std::size_t slot) {
+                        double gradient[2][2];
+                        gradient_at(stencil_of(particles, grid, p, nearest), field, gradient);
+                        update_particle(particles, p, gradient,
+                                        materials[particles.slot_material[slot]], dt, step, sums);
+                      });
+    by_row[row] = sums;
+  }
+}
+
+}  // namespace rgimp::kernels::reference
