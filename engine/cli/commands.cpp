@@ -9,7 +9,6 @@
 #include "format.hpp"
 #include "messages.hpp"
 #include "progress_display.hpp"
-#include "rgimp/machine.hpp"
 #include "rgimp/rgimp.hpp"
 
 namespace rgimp::cli {

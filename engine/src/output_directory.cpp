@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kSnapshots = "snapshots";
+constexpr std::string_view kPictures = "pictures";
 constexpr std::string_view kSeries = "snapshots.vtkhdf.series";
 
 [[noreturn]] void fail(const fs::path& path, const std::error_code& error) {
@@ -34,14 +35,21 @@ std::string final_name(const fs::path& file) {
   return name;
 }
 
-/// Pictures included: drawn from the replaced results, they would belong to no run.
+template <std::size_t Count>
+bool is_one_of(const fs::path& file, const std::array<std::string_view, Count>& names) {
+  return std::find(names.begin(), names.end(), final_name(file)) != names.end();
+}
+
 bool is_top_file(const fs::path& file) {
-  constexpr std::array<std::string_view, 8> names{
-      "case.toml",  "history.csv", "summary.json",       "crack.png",
-      "stress.png", "growth.png",  "stress_closure.png", "energy.png"};
-  const std::string name = final_name(file);
-  return name.starts_with("checkpoint") ||
-         std::find(names.begin(), names.end(), name) != names.end();
+  constexpr std::array<std::string_view, 3> names{"case.toml", "history.csv", "summary.json"};
+  return is_one_of(file, names) || final_name(file).starts_with("checkpoint");
+}
+
+/// What rgimp-plot draws: beside new results, pictures of the replaced ones would mislead.
+bool is_picture(const fs::path& file) {
+  constexpr std::array<std::string_view, 5> names{"crack.png", "stress.png", "growth.png",
+                                                  "stress_closure.png", "energy.png"};
+  return is_one_of(file, names);
 }
 
 bool is_snapshot_file(const fs::path& file) {
@@ -68,6 +76,7 @@ void remove_files(const fs::path& directory, Choice is_ours) {
 /// Removes what a run writes and nothing else. Throws std::filesystem::filesystem_error.
 void remove_own_files(const fs::path& directory) {
   remove_files(directory / kSnapshots, is_snapshot_file);
+  remove_files(directory / kPictures, is_picture);
   remove_files(directory, is_top_file);
 }
 

@@ -58,16 +58,18 @@ TEST_CASE("a directory that is not empty is refused and stays as it is") {
 TEST_CASE("replacing deletes our own files and no others") {
   const TemporaryDirectory temporary;
   fs::create_directories(temporary / "snapshots" / "step_mine.vtkhdf");
+  fs::create_directory(temporary / "pictures");
   const auto ours = {"case.toml",
                      "history.csv",
                      "summary.json",
                      "summary.json.tmp",
                      "checkpoint_1.h5",
-                     "crack.png",
+                     "pictures/crack.png",
                      "snapshots/step_000000000.vtkhdf",
                      "snapshots/step_000000100.vtkhdf.tmp",
                      "snapshots/snapshots.vtkhdf.series"};
-  const auto others = {"notes.txt", "history.csv.bak", "photo.png", "snapshots/view.pvsm"};
+  const auto others = {"notes.txt", "history.csv.bak", "pictures/photo.png", "crack.png",
+                       "snapshots/view.pvsm"};
   for (const std::string name : ours) {
     write_text(temporary / name, "");
   }
