@@ -4,6 +4,8 @@
 #include <limits>
 #include <numbers>
 
+#include "time_step.hpp"
+
 namespace rgimp {
 namespace {
 
@@ -94,12 +96,6 @@ kernels::MaterialConstants material_constants(const Material& material, const Ca
     set_failed_pressure(*material.failure, constants);
   }
   return constants;
-}
-
-double sound_speed(const Material& material) {
-  const double ratio = material.poisson_ratio;
-  return std::sqrt(material.youngs_modulus * (1.0 - ratio) /
-                   ((1.0 + ratio) * (1.0 - 2.0 * ratio) * material.density));
 }
 
 }  // namespace rgimp

@@ -21,7 +21,4 @@ kernels::FailureLimits failure_limits(const Material& material);
 /// q = rho (c0 L^2 (tr D)^2 + c1 L c |tr D|) (Zhang, Chen & Liu, The material point method, 2017).
 kernels::MaterialConstants material_constants(const Material& material, const Case& settings);
 
-/// Speed of longitudinal waves, m/s [Eq. 23].
-double sound_speed(const Material& material);
-
 }  // namespace rgimp

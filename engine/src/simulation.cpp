@@ -11,6 +11,7 @@
 #include "rgimp/case_file.hpp"
 #include "rgimp/error.hpp"
 #include "solver.hpp"
+#include "time_step.hpp"
 
 namespace rgimp {
 namespace {
@@ -105,9 +106,7 @@ class Simulation::Implementation {
     facts.particles = solver_.particles().count;
     facts.nodes = solver_.grid().extent().nodes;
     facts.dt = solver_.dt();
-    facts.total_steps = settings_.time.steps
-                            ? *settings_.time.steps
-                            : std::llround(std::ceil(*settings_.time.duration / solver_.dt()));
+    facts.total_steps = static_cast<std::int64_t>(total_steps(settings_));
     facts.memory_bytes = solver_.memory_bytes();
     facts.isa = kernels::name(isa_);
     facts.threads = workers_.threads();

@@ -9,6 +9,7 @@
 #include "binning.hpp"
 #include "failure_limits.hpp"
 #include "rgimp/error.hpp"
+#include "time_step.hpp"
 
 namespace rgimp {
 namespace {
@@ -68,7 +69,7 @@ Solver<Dim>::Solver(const Case& settings, kernels::Isa isa, Workers& workers)
       load_axis_(load_axis_of(settings)),
       width_(width_across(settings, load_axis_)),
       sound_speed_(fastest_sound(settings)),
-      dt_(settings.time.step_factor * settings.grid.cell_size / sound_speed_) {
+      dt_(time_step(settings)) {
   for (const auto& [name, material] : settings.materials) {
     materials_.push_back(material_constants(material, settings));
   }

@@ -8,16 +8,20 @@ namespace rgimp::kernels::reference {
 template <int Dim>
 void gather(const ParticleView<Dim>& particles, const GridView<Dim>& grid,
             const double* const* field, double* const* column, double factor, RowRange bins) {
-  for_each_particle(particles, grid, bins, [&](std::size_t p, std::ptrdiff_t nearest, std::size_t) {
-    const Stencil<Dim> stencil = stencil_of(particles, grid, p, nearest);
-    for (int a = 0; a < Dim; ++a) {
-      double sum = 0.0;
-      for (int n = 0; n < kStencil<Dim>; ++n) {
-        sum += stencil.weight[n] * field[a][stencil.node[n]];
-      }
-      column[a][p] += factor * sum;
-    }
-  });
+  const Shape<Dim> shape(grid);
+  for_each_particle(particles, grid, bins,
+                    [&](std::size_t p, const BinNode<Dim>& bin, std::size_t) {
+                      double sum[Dim] = {};
+                      for_each_node(stencil_of(particles, p, bin, shape), shape,
+                                    [&](std::ptrdiff_t node, double weight, const double(&)[Dim]) {
+                                      for (int a = 0; a < Dim; ++a) {
+                                        sum[a] += weight * field[a][node];
+                                      }
+                                    });
+                      for (int a = 0; a < Dim; ++a) {
+                        column[a][p] += factor * sum[a];
+                      }
+                    });
 }
 
 template <int Dim>
@@ -32,18 +36,24 @@ void gather_position(const ParticleView<Dim>& particles, const GridView<Dim>& gr
   gather(particles, grid, grid.momentum, particles.position, dt, bins);
 }
 
-/// gradient[a][b] = d field_a / d x_b at a particle, 1/s for a velocity.
+/// value[a][b] = d field_a / d x_b, 1/s for a velocity.
 template <int Dim>
-void gradient_at(const Stencil<Dim>& stencil, const double* const* field,
-                 double (&gradient)[Dim][Dim]) {
-  for (int a = 0; a < Dim; ++a) {
-    for (int b = 0; b < Dim; ++b) {
-      gradient[a][b] = 0.0;
-      for (int n = 0; n < kStencil<Dim>; ++n) {
-        gradient[a][b] += stencil.gradient[n][b] * field[a][stencil.node[n]];
+struct Gradient {
+  double value[Dim][Dim] = {};
+};
+
+template <int Dim>
+Gradient<Dim> gradient_at(const Stencil<Dim>& stencil, const Shape<Dim>& shape,
+                          const double* const* field) {
+  Gradient<Dim> sum;
+  for_each_node(stencil, shape, [&](std::ptrdiff_t node, double, const double(&gradient)[Dim]) {
+    for (int a = 0; a < Dim; ++a) {
+      for (int b = 0; b < Dim; ++b) {
+        sum.value[a][b] += gradient[b] * field[a][node];
       }
     }
-  }
+  });
+  return sum;
 }
 
 }  // namespace rgimp::kernels::reference

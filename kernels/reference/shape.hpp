@@ -7,68 +7,96 @@
 
 namespace rgimp::kernels::reference {
 
+/// What the weights need of the grid, divisions done once.
+template <int Dim>
+struct Shape {
+  explicit Shape(const GridView<Dim>& grid)
+      : cells_per_metre(1.0 / grid.cell_size),
+        half(grid.particle_half_size),
+        per_quad_half(0.25 / grid.particle_half_size),
+        slope(0.5 / (grid.particle_half_size * grid.cell_size)),
+        stride{1, row_stride(grid), row_stride(grid) * grid.rows_in_plane} {
+    for (int a = 0; a < Dim; ++a) {
+      origin_cells[a] = grid.origin[a] * cells_per_metre;
+    }
+  }
+  double cells_per_metre;
+  double half;           ///< cells
+  double per_quad_half;  ///< 1 / 4l
+  double slope;          ///< 1/m, 1 / 2lL
+  std::ptrdiff_t stride[3];
+  double origin_cells[Dim];
+};
+
 /// Weights of the three nodes around the nearest one along an axis, lower node first.
 struct AxisWeights {
   double value[3];
-  double slope[3];  ///< per cell
+  double slope[3];  ///< 1/m
 };
 
 /// Eq. 18 without branches, about the nearest node. `offset` is (x - x_nearest) / L, exact while
-/// |offset| <= 1 - half_size. Eq. 18 as printed is wrong: its fourth range swallows the flank.
-inline AxisWeights axis_weights(double offset, double half_size) {
-  const double core = std::clamp(offset, -half_size, half_size);
+/// |offset| <= 1 - half. Eq. 18 as printed is wrong: its fourth range swallows the linear flank.
+template <int Dim>
+AxisWeights axis_weights(double offset, const Shape<Dim>& shape) {
+  const double core = std::min(std::max(offset, -shape.half), shape.half);
   const double flank = offset - core;
-  const double up = core + half_size;
-  const double down = half_size - core;
+  const double up = core + shape.half;
+  const double down = shape.half - core;
   AxisWeights w;
-  w.value[2] = up * up / (4.0 * half_size) + std::max(flank, 0.0);
-  w.value[0] = down * down / (4.0 * half_size) - std::min(flank, 0.0);
+  w.value[2] = up * up * shape.per_quad_half + std::max(flank, 0.0);
+  w.value[0] = down * down * shape.per_quad_half - std::min(flank, 0.0);
   w.value[1] = 1.0 - w.value[2] - w.value[0];
-  w.slope[2] = up / (2.0 * half_size);
-  w.slope[0] = -down / (2.0 * half_size);
+  w.slope[2] = up * shape.slope;
+  w.slope[0] = -down * shape.slope;
   w.slope[1] = -(w.slope[2] + w.slope[0]);
   return w;
 }
 
-/// Node indices along each axis of a node.
+/// A particle's weights along each axis and its lowest node.
 template <int Dim>
-void node_indices(const GridView<Dim>& grid, std::ptrdiff_t node, std::ptrdiff_t (&index)[Dim]) {
-  const std::ptrdiff_t stride = row_stride(grid);
-  const std::ptrdiff_t row = node / stride;
-  index[0] = node % stride;
-  index[1] = Dim == 2 ? row : row % grid.rows_in_plane;
-  if constexpr (Dim == 3) {
-    index[2] = row / grid.rows_in_plane;
+struct Stencil {
+  std::ptrdiff_t lowest;
+  AxisWeights axis[Dim];
+};
+
+template <int Dim>
+Stencil<Dim> stencil_of(const ParticleView<Dim>& particles, std::size_t particle,
+                        const BinNode<Dim>& bin, const Shape<Dim>& shape) {
+  Stencil<Dim> stencil;
+  stencil.lowest = bin.node;
+  for (int a = 0; a < Dim; ++a) {
+    const double cells =
+        particles.position[a][particle] * shape.cells_per_metre - shape.origin_cells[a];
+    stencil.axis[a] = axis_weights(cells - bin.index[a], shape);
+    stencil.lowest -= shape.stride[a];
   }
+  return stencil;
 }
 
-/// Tensor product of the axes' weights [Eq. 19].
-template <int Dim>
-Stencil<Dim> stencil_of(const ParticleView<Dim>& particles, const GridView<Dim>& grid,
-                        std::size_t particle, std::ptrdiff_t nearest) {
-  std::ptrdiff_t index[Dim];
-  node_indices(grid, nearest, index);
-  AxisWeights axis[Dim];
-  for (int a = 0; a < Dim; ++a) {
-    const double cells = (particles.position[a][particle] - grid.origin[a]) / grid.cell_size;
-    axis[a] = axis_weights(cells - static_cast<double>(index[a]), grid.particle_half_size);
-  }
-  const std::ptrdiff_t stride[3] = {1, row_stride(grid), row_stride(grid) * grid.rows_in_plane};
-  Stencil<Dim> stencil;
-  for (int n = 0; n < kStencil<Dim>; ++n) {
-    const int step[3] = {n % 3, n / 3 % 3, n / 9};
-    stencil.node[n] = nearest;
-    stencil.weight[n] = 1.0;
-    for (int a = 0; a < Dim; ++a) {
-      stencil.node[n] += (step[a] - 1) * stride[a];
-      stencil.weight[n] *= axis[a].value[step[a]];
-      stencil.gradient[n][a] = 1.0 / grid.cell_size;
-      for (int b = 0; b < Dim; ++b) {
-        stencil.gradient[n][a] *= a == b ? axis[b].slope[step[b]] : axis[b].value[step[b]];
+/// Calls visit(node, S, dS/dx) for the stencil's nodes; tensor products of the axes' weights
+/// [Eq. 19].
+template <int Dim, typename Visit>
+void for_each_node(const Stencil<Dim>& stencil, const Shape<Dim>& shape, Visit visit) {
+  const AxisWeights& x = stencil.axis[0];
+  const AxisWeights& y = stencil.axis[1];
+  constexpr int kPlanes = Dim == 2 ? 1 : 3;
+  for (int k = 0; k < kPlanes; ++k) {
+    for (int j = 0; j < 3; ++j) {
+      for (int i = 0; i < 3; ++i) {
+        const std::ptrdiff_t node = stencil.lowest + i + j * shape.stride[1] + k * shape.stride[2];
+        if constexpr (Dim == 2) {
+          const double gradient[2] = {x.slope[i] * y.value[j], x.value[i] * y.slope[j]};
+          visit(node, x.value[i] * y.value[j], gradient);
+        } else {
+          const AxisWeights& z = stencil.axis[2];
+          const double gradient[3] = {x.slope[i] * y.value[j] * z.value[k],
+                                      x.value[i] * y.slope[j] * z.value[k],
+                                      x.value[i] * y.value[j] * z.slope[k]};
+          visit(node, x.value[i] * y.value[j] * z.value[k], gradient);
+        }
       }
     }
   }
-  return stencil;
 }
 
 }  // namespace rgimp::kernels::reference

@@ -13,9 +13,9 @@ struct PlaneIncrement {
   double rotation;  ///< rad, dt (dvx/dy - dvy/dx) / 2
 };
 
-inline PlaneIncrement plane_increment(const double (&gradient)[2][2], double dt) {
-  return {dt * gradient[0][0], dt * gradient[1][1], dt * (gradient[0][1] + gradient[1][0]),
-          0.5 * dt * (gradient[0][1] - gradient[1][0])};
+inline PlaneIncrement plane_increment(const Gradient<2>& velocity, double dt) {
+  const auto& g = velocity.value;
+  return {dt * g[0][0], dt * g[1][1], dt * (g[0][1] + g[1][0]), 0.5 * dt * (g[0][1] - g[1][0])};
 }
 
 /// Hooke's law in plane strain with the Jaumann rate, sigma += C : D dt + W sigma - sigma W.
@@ -40,7 +40,7 @@ inline void update_volume(const ParticleView<2>& particles, std::size_t p, doubl
 }
 
 inline void update_particle(const ParticleView<2>& particles, std::size_t p,
-                            const double (&gradient)[2][2], const MaterialConstants& material,
+                            const Gradient<2>& gradient, const MaterialConstants& material,
                             double dt, std::int32_t step, ParticleSums& sums) {
   const PlaneIncrement increment = plane_increment(gradient, dt);
   const double trace = increment.xx + increment.yy;
@@ -74,13 +74,13 @@ inline void update_particle(const ParticleView<2>& particles, std::size_t p,
 inline void update_stress(const ParticleView<2>& particles, const GridView<2>& grid,
                           const double* const* field, const MaterialConstants* materials, double dt,
                           std::int32_t step, RowRange bins, ParticleSums* by_row) {
+  const Shape<2> shape(grid);
   for (std::ptrdiff_t row = bins.first; row < bins.last; ++row) {
     ParticleSums sums{};
     for_each_particle(particles, grid, {row, row + 1},
-                      [&](std::size_t p, std::ptrdiff_t nearest, std::size_t slot) {
-                        double gradient[2][2];
-                        gradient_at(stencil_of(particles, grid, p, nearest), field, gradient);
-                        update_particle(particles, p, gradient,
+                      [&](std::size_t p, const BinNode<2>& bin, std::size_t slot) {
+                        const Stencil<2> stencil = stencil_of(particles, p, bin, shape);
+                        update_particle(particles, p, gradient_at(stencil, shape, field),
                                         materials[particles.slot_material[slot]], dt, step, sums);
                       });
     by_row[row] = sums;
