@@ -18,7 +18,7 @@ try:
 except ImportError:
     vtkHDFReader = None
 
-COMMAND = sys.argv.pop(1)  # path of the command under test
+COMMAND = Path(sys.argv.pop(1)).resolve()  # the command under test
 DONE, WRONG_REQUEST, PHYSICS_STOPPED, FILE_TROUBLE = 0, 2, 3, 4
 
 HISTORY_HEADER = (
