@@ -75,7 +75,7 @@ class CaseWriter {
 
   template <typename Value>
   void line(std::string_view key, const Value& value, std::string_view comment) {
-    fmt::format_to(out(), "{:<36}# {}\n", fmt::format("{} = {}", key, to_text(value)), comment);
+    fmt::format_to(out(), "{:<35} # {}\n", fmt::format("{} = {}", key, to_text(value)), comment);
   }
 
   /// A key left out is shown as a comment, so that the reader learns of it.
@@ -85,7 +85,7 @@ class CaseWriter {
     if (value) {
       line(key, *value, comment);
     } else {
-      fmt::format_to(out(), "{:<36}# {}; left out: {}\n", fmt::format("# {} =", key), comment,
+      fmt::format_to(out(), "{:<35} # {}; left out: {}\n", fmt::format("# {} =", key), comment,
                      when_left_out);
     }
   }

@@ -32,6 +32,9 @@ Vector slot_half_size(const Flaw& slot) {
 }
 
 bool slot_contains(const Flaw& slot, const Vector& offset, double tolerance) {
+  if (offset.norm() > slot.length + slot.width) {
+    return false;  // most points, without the cost of an angle
+  }
   const double cosine = std::cos(slot.angle * kRadiansPerDegree);
   const double sine = std::sin(slot.angle * kRadiansPerDegree);
   const double along = std::abs(offset.x() * cosine + offset.y() * sine);

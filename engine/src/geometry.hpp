@@ -21,8 +21,8 @@ Box bounds(const Case& settings);
 
 /// Where the grid lies: node (i, j) is at origin + cell_size * (i, j).
 struct GridExtent {
-  Vector origin = Vector::Zero();      ///< m
-  double cell_size = 0.0;              ///< m
+  Vector origin = Vector::Zero();       ///< m
+  double cell_size = 0.0;               ///< m
   std::array<std::int64_t, 3> nodes{};  ///< per axis; 1 along z in 2D
 };
 

@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
-#include <numeric>
 
 #include "rgimp/case_file.hpp"
 #include "rgimp/error.hpp"
 #include "solver.hpp"
+#include "state_hash.hpp"
 #include "time_step.hpp"
 
 namespace rgimp {
@@ -46,24 +45,6 @@ double max_principal(const std::array<double, 6>& s) {
   return std::max(centre + radius, s[2]);
 }
 
-/// FNV-1a over eight-byte words.
-class Hash {
- public:
-  template <typename T>
-  void add(T value) {
-    static_assert(sizeof(T) <= sizeof(std::uint64_t));
-    std::uint64_t word = 0;
-    std::memcpy(&word, &value, sizeof(T));
-    for (int byte = 0; byte < 8; ++byte) {
-      state_ = (state_ ^ ((word >> (8 * byte)) & 0xff)) * 0x100000001b3u;
-    }
-  }
-  std::uint64_t value() const { return state_; }
-
- private:
-  std::uint64_t state_ = 0xcbf29ce484222325u;
-};
-
 }  // namespace
 
 class Simulation::Implementation {
@@ -90,16 +71,6 @@ class Simulation::Implementation {
 
   Solver<2>& solver() { return solver_; }
   const Case& settings() const { return settings_; }
-
-  std::vector<std::size_t> lanes_by_id() {
-    std::vector<std::size_t> lane(solver_.particles().count);
-    for (std::size_t i = 0; i < solver_.particles().lanes(); ++i) {
-      if (!solver_.particles().is_padding(i)) {
-        lane[solver_.particles().id[i]] = i;
-      }
-    }
-    return lane;
-  }
 
   Facts facts() {
     Facts facts;
@@ -160,7 +131,7 @@ const Case& Simulation::settings() const {
 ParticleTable Simulation::particles() const {
   const Particles<2>& p = implementation_->solver().particles();
   ParticleTable table;
-  for (const std::size_t i : implementation_->lanes_by_id()) {
+  for (const std::size_t i : lanes_by_id(p)) {
     const std::array<double, 6> stress = {
         p.stress[0][i], p.stress[1][i], p.stress[2][i], p.stress[3][i], 0.0, 0.0};
     table.id.push_back(p.id[i]);
@@ -175,12 +146,7 @@ ParticleTable Simulation::particles() const {
 }
 
 std::uint64_t Simulation::state_hash() const {
-  Particles<2>& p = implementation_->solver().particles();
-  Hash hash;
-  for (const std::size_t i : implementation_->lanes_by_id()) {
-    p.for_each_column([&](const auto& column, auto) { hash.add(column[i]); });
-  }
-  return hash.value();
+  return rgimp::state_hash(implementation_->solver().particles());
 }
 
 }  // namespace rgimp

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
-#include <regex>
 #include <string_view>
 #include <vector>
 
@@ -23,8 +23,8 @@ class Override {
   [[noreturn]] void refuse(std::string_view what) const {
     throw CaseError(fmt::format("--set {}: {}", text_, what));
   }
-  std::vector<std::string> segments(const std::string& key) const;
-  toml::table parse_value(const std::string& value) const;
+  std::vector<std::string> segments(std::string_view key) const;
+  toml::table parse_value(std::string_view value) const;
   /// What `segment` names inside `parent`, made where `parent` is a table that lacks it.
   toml::node& descend(toml::node& parent, const std::string& segment);
   void assign(toml::node& parent, const std::string& segment, toml::node& value);
@@ -44,28 +44,57 @@ bool is_below(std::string_view key, std::string_view path) {
          (key.size() == path.size() || key[path.size()] == '.' || key[path.size()] == '[');
 }
 
-/// "body[0].size" -> body, 0, size.
-std::vector<std::string> Override::segments(const std::string& key) const {
-  static const std::regex form(R"([\w-]+(\.[\w-]+|\[\d+\])*)");
-  if (!std::regex_match(key, form)) {
-    refuse("expected a dotted key before '=', as in body[0].size=[0.05, 0.1]");
-  }
-  static const std::regex segment(R"([\w-]+)");
-  return {std::sregex_token_iterator(key.begin(), key.end(), segment),
-          std::sregex_token_iterator()};
+std::string_view trim(std::string_view text) {
+  const std::size_t first = std::min(text.find_first_not_of(" \t"), text.size());
+  const std::size_t last = text.find_last_not_of(" \t");
+  return text.substr(first, last == std::string_view::npos ? 0 : last + 1 - first);
 }
 
-toml::table Override::parse_value(const std::string& value) const {
+std::size_t word_length(std::string_view text) {
+  const auto* const end = std::find_if_not(text.begin(), text.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '-' || c == '_';
+  });
+  return static_cast<std::size_t>(end - text.begin());
+}
+
+/// "body[0].size" -> body, 0, size.
+std::vector<std::string> Override::segments(std::string_view key) const {
+  std::vector<std::string> names;
+  std::string_view rest = trim(key);
+  for (char before = '.'; before == '.' || before == '[';) {
+    const std::size_t length = word_length(rest);
+    if (length == 0) {
+      break;
+    }
+    names.emplace_back(rest.substr(0, length));
+    rest.remove_prefix(length);
+    if (before == '[') {
+      if (!rest.starts_with(']')) {
+        break;
+      }
+      rest.remove_prefix(1);
+    }
+    if (rest.empty()) {
+      return names;
+    }
+    before = rest.front();
+    rest.remove_prefix(1);
+  }
+  refuse("expected a dotted key before '=', as in body[0].size=[0.05, 0.1]");
+}
+
+toml::table Override::parse_value(std::string_view value) const {
   try {
     toml::table parsed = toml::parse(std::string_view(fmt::format("{} = {}", kValue, value)));
     if (parsed.size() == 1) {
       return parsed;
     }
   } catch (const toml::parse_error&) {
-    static const std::regex bare_word(R"(\s*([A-Za-z][\w-]*)\s*)");
-    if (std::smatch word; std::regex_match(value, word, bare_word)) {
+    const std::string_view word = trim(value);
+    if (!word.empty() && word_length(word) == word.size() &&
+        std::isalpha(static_cast<unsigned char>(word.front())) != 0) {
       toml::table quoted;
-      quoted.insert(kValue, word[1].str());
+      quoted.insert(kValue, std::string(word));
       return quoted;
     }
   }
@@ -80,8 +109,8 @@ void Override::apply_to(toml::table& root) {
   if (equals == std::string::npos) {
     refuse("expected KEY=VALUE");
   }
-  const std::vector<std::string> way = segments(text_.substr(0, equals));
-  toml::table parsed = parse_value(text_.substr(equals + 1));
+  const std::vector<std::string> way = segments(std::string_view(text_).substr(0, equals));
+  toml::table parsed = parse_value(std::string_view(text_).substr(equals + 1));
   toml::node* parent = &root;
   for (std::size_t i = 0; i + 1 < way.size(); ++i) {
     parent = &descend(*parent, way[i]);
@@ -114,8 +143,7 @@ std::size_t Override::index_in(const toml::array& array, const std::string& segm
   std::size_t index = array.size();
   const auto [end, error] = std::from_chars(segment.data(), segment.data() + segment.size(), index);
   if (error != std::errc{} || end != segment.data() + segment.size() || index >= array.size()) {
-    refuse(fmt::format("{} is not there; the array has {} entries, counted from 0", path_,
-                       array.size()));
+    refuse(fmt::format("{} does not exist; the array's length is {}", path_, array.size()));
   }
   return index;
 }

@@ -2,6 +2,8 @@
 
 namespace rgimp {
 
-std::string_view version() { return RGIMP_VERSION; }
+std::string_view version() {
+  return RGIMP_VERSION;
+}
 
 }  // namespace rgimp

@@ -1,0 +1,49 @@
+#include "state_hash.hpp"
+
+#include <cstring>
+
+namespace rgimp {
+namespace {
+
+class Fnv1a {
+ public:
+  template <typename T>
+  void add(T value) {
+    unsigned char bytes[sizeof(T)];
+    std::memcpy(bytes, &value, sizeof(T));
+    for (const unsigned char byte : bytes) {
+      state_ = (state_ ^ byte) * 0x100000001b3u;
+    }
+  }
+  std::uint64_t value() const { return state_; }
+
+ private:
+  std::uint64_t state_ = 0xcbf29ce484222325u;
+};
+
+}  // namespace
+
+template <int Dim>
+std::vector<std::size_t> lanes_by_id(const Particles<Dim>& particles) {
+  std::vector<std::size_t> lane(particles.count);
+  for (std::size_t i = 0; i < particles.lanes(); ++i) {
+    if (!particles.is_padding(i)) {
+      lane[particles.id[i]] = i;
+    }
+  }
+  return lane;
+}
+
+template <int Dim>
+std::uint64_t state_hash(Particles<Dim>& particles) {
+  Fnv1a hash;
+  for (const std::size_t lane : lanes_by_id(particles)) {
+    particles.for_each_column([&](const auto& column, auto) { hash.add(column[lane]); });
+  }
+  return hash.value();
+}
+
+template std::vector<std::size_t> lanes_by_id<2>(const Particles<2>&);
+template std::uint64_t state_hash<2>(Particles<2>&);
+
+}  // namespace rgimp

@@ -1,0 +1,67 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "models.hpp"
+#include "state_hash.hpp"
+
+namespace rgimp::tests {
+namespace {
+
+struct Outcome {
+  std::uint64_t hash;
+  HistoryRow row;
+};
+
+Outcome crack(int threads, kernels::Isa isa) {
+  Model model(cracking_block(), threads, isa);
+  for (int part = 0; part < 10; ++part) {
+    model.steps(200);
+    model.solver.rebin();
+  }
+  return {state_hash(model.solver.particles()), model.solver.history()};
+}
+
+}  // namespace
+
+TEST_CASE("1, 2, 3 and 7 threads give the same bits in a cracking case with re-binning") {
+  const Outcome one = crack(1, kernels::best_isa());
+  REQUIRE(one.row.failed_tension > 20);
+  for (const int threads : {2, 3, 7}) {
+    const Outcome more = crack(threads, kernels::best_isa());
+    INFO(threads << " threads");
+    REQUIRE(more.hash == one.hash);
+    REQUIRE(more.row.external_work == one.row.external_work);
+    REQUIRE(more.row.released_energy == one.row.released_energy);
+  }
+}
+
+TEST_CASE("the scalar twins give the same bits on any number of threads") {
+  REQUIRE(crack(1, kernels::Isa::reference).hash == crack(3, kernels::Isa::reference).hash);
+}
+
+TEST_CASE("AVX2 and AVX-512 give the same bits") {
+  if (kernels::available(kernels::Isa::avx512)) {
+    REQUIRE(crack(2, kernels::Isa::avx2).hash == crack(2, kernels::Isa::avx512).hash);
+  }
+}
+
+TEST_CASE("before the first failure all ISAs agree within 1e-10") {
+  Case settings = cracking_block();
+  settings.materials["rock"].failure.reset();
+  Model reference(settings, 1, kernels::Isa::reference);
+  reference.steps(1000);
+  const HistoryRow expected = reference.solver.history();
+  for (const kernels::Isa isa : kernels::kAllIsas) {
+    if (kernels::available(isa)) {
+      Model model(settings, 2, isa);
+      model.steps(1000);
+      const HistoryRow row = model.solver.history();
+      INFO(kernels::name(isa));
+      REQUIRE(row.strain_energy == Approx(expected.strain_energy).epsilon(1e-10));
+      REQUIRE(row.reaction == Approx(expected.reaction).epsilon(1e-10));
+      REQUIRE(row.damping_work == Approx(expected.damping_work).epsilon(1e-10));
+    }
+  }
+}
+
+}  // namespace rgimp::tests

@@ -1,0 +1,119 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "models.hpp"
+
+namespace rgimp::tests {
+namespace {
+
+/// Compressed slowly enough to be at rest, with damping to get there.
+Case slow_compression() {
+  Case settings = compressed_block(5.0, 10.0, 0.02);
+  settings.local_damping = 0.7;
+  return settings;
+}
+
+double mean_stress_component(const Particles<2>& p, int component) {
+  double sum = 0.0;
+  double volume = 0.0;
+  for (std::size_t i = 0; i < p.lanes(); ++i) {
+    sum += p.volume[i] * p.stress[component][i];
+    volume += p.volume[i];
+  }
+  return sum / volume;
+}
+
+}  // namespace
+
+TEST_CASE("a slipping block has the plane-strain modulus and out-of-plane stress within 0.2 %") {
+  Model model(slow_compression());
+  model.steps(6000);
+  const HistoryRow row = model.solver.history();
+  const double modulus = row.axial_stress / (row.closure / 10e-3);
+  INFO("modulus " << modulus << ", closure " << row.closure);
+  REQUIRE(modulus == Approx(17e9 / (1.0 - 0.14 * 0.14)).epsilon(2e-3));
+  const double yy = mean_stress_component(model.solver.particles(), 1);
+  const double zz = mean_stress_component(model.solver.particles(), 2);
+  REQUIRE(zz / yy == Approx(0.14).epsilon(2e-3));
+}
+
+TEST_CASE("platens that stick hold the ends' width, platens that slip do not") {
+  Case settings = slow_compression();
+  const auto widening = [](Case given) {
+    Model model(std::move(given));
+    model.steps(4000);
+    double widest = 0.0;
+    const Particles<2>& p = model.solver.particles();
+    for (std::size_t i = 0; i < p.lanes(); ++i) {
+      if (!p.is_padding(i) && p.position[1][i] > 4.7e-3) {
+        widest = std::max(widest, p.position[0][i]);
+      }
+    }
+    return widest - 2.375e-3;
+  };
+  const double slip = widening(settings);
+  for (Platen& platen : settings.platens) {
+    platen.lateral = Lateral::stick;
+  }
+  const double stick = widening(settings);
+  REQUIRE(slip > 0.0);
+  REQUIRE(stick < 0.2 * slip);
+}
+
+TEST_CASE("a platen with a half width loads only the middle") {
+  Case settings = slow_compression();
+  Model whole(settings);
+  for (Platen& platen : settings.platens) {
+    platen.half_width = 1e-3;
+  }
+  Model strip(settings);
+  whole.steps(3000);
+  strip.steps(3000);
+  // Same closure, a softer answer: the ends' corners stay unloaded.
+  REQUIRE(strip.solver.history().closure == whole.solver.history().closure);
+  REQUIRE(strip.solver.history().reaction < 0.9 * whole.solver.history().reaction);
+  const Particles<2>& p = strip.solver.particles();
+  double corner = 0.0;
+  double middle = 0.0;
+  for (std::size_t i = 0; i < p.lanes(); ++i) {
+    if (!p.is_padding(i) && p.position[1][i] > 4.5e-3) {
+      const double x = std::abs(p.position[0][i]);
+      corner = x > 2.2e-3 ? std::min(corner, p.stress[1][i]) : corner;
+      middle = x < 0.3e-3 ? std::min(middle, p.stress[1][i]) : middle;
+    }
+  }
+  REQUIRE(std::abs(corner) < 0.2 * std::abs(middle));
+}
+
+TEST_CASE("work in equals energy stored and lost within 2e-4, elastic, for every integrator") {
+  for (const Integrator integrator : {Integrator::musl, Integrator::usf}) {
+    Case settings = slow_compression();
+    settings.time.integrator = integrator;
+    settings.time.step_factor = 0.1;
+    Model model(settings);
+    model.steps(20000);
+    const HistoryRow row = model.solver.history();
+    const double error = (row.external_work - row.kinetic_energy - row.strain_energy -
+                          row.damping_work - row.viscous_work) /
+                         row.external_work;
+    INFO("integrator " << static_cast<int>(integrator) << ": error " << error << ", W "
+                       << row.external_work << ", damping " << row.damping_work << ", viscous "
+                       << row.viscous_work);
+    REQUIRE(std::abs(error) <= 2e-4);
+  }
+}
+
+TEST_CASE("integrators agree on the reaction within 0.1 %") {
+  const auto reaction = [](Integrator integrator) {
+    Case settings = slow_compression();
+    settings.time.integrator = integrator;
+    Model model(settings);
+    model.steps(4000);
+    return model.solver.history().reaction;
+  };
+  const double musl = reaction(Integrator::musl);
+  REQUIRE(reaction(Integrator::usl) == Approx(musl).epsilon(1e-3));
+  REQUIRE(reaction(Integrator::usf) == Approx(musl).epsilon(1e-3));
+}
+
+}  // namespace rgimp::tests

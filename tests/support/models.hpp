@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cmath>
+
+#include "rgimp/case.hpp"
+#include "solver.hpp"
+
+namespace rgimp::tests {
+
+/// A solver with what it needs around it.
+struct Model {
+  explicit Model(Case given, int threads = 1, kernels::Isa isa = kernels::best_isa())
+      : settings(std::move(given)), workers(threads), solver(settings, isa, workers) {}
+
+  void steps(std::int64_t count) {
+    workers.region([&] {
+      for (std::int64_t i = 0; i < count; ++i) {
+        solver.step();
+      }
+    });
+  }
+
+  Case settings;
+  Workers workers;
+  Solver<2> solver;
+};
+
+inline Material rock() {
+  return {.density = 2600.0, .youngs_modulus = 17e9, .poisson_ratio = 0.14, .failure = {}};
+}
+
+inline Failure rock_failure() {
+  Failure failure;
+  failure.cohesion = 5.95e6;
+  failure.friction_angle = 40.0;
+  failure.tensile_strength = 2e6;
+  return failure;
+}
+
+/// An elastic block of the given size in mm, cells of 0.5 mm, nothing holding it.
+inline Case free_block(double width_mm, double height_mm) {
+  Case settings;
+  settings.grid.cell_size = 0.5e-3;
+  Body body;
+  body.size = Vector(width_mm * 1e-3, height_mm * 1e-3, 0.0);
+  body.material = "rock";
+  settings.bodies = {body};
+  settings.materials["rock"] = rock();
+  settings.time.steps = 1000;
+  settings.time.step_factor = 0.4;
+  return settings;
+}
+
+/// A block between two closing platens.
+inline Case compressed_block(double width_mm, double height_mm, double closing_speed) {
+  Case settings = free_block(width_mm, height_mm);
+  for (const Side side : {Side::top, Side::bottom}) {
+    Platen platen;
+    platen.side = side;
+    platen.speed = 0.5 * closing_speed;
+    platen.ramp = 2e-5;
+    settings.platens.push_back(platen);
+  }
+  return settings;
+}
+
+/// A block with an oblique slot that grows wing cracks within 2,000 steps.
+inline Case cracking_block() {
+  Case settings = compressed_block(12.0, 24.0, 0.2);
+  settings.materials["rock"].failure = rock_failure();
+  Flaw slot;
+  slot.length = 5e-3;
+  slot.width = 1.5e-3;
+  slot.angle = 45.0;
+  settings.flaws = {slot};
+  settings.local_damping = 0.7;
+  return settings;
+}
+
+}  // namespace rgimp::tests

@@ -1,0 +1,293 @@
+#include <catch2/catch.hpp>
+
+#include "case_text.hpp"
+#include "rgimp/rgimp.hpp"
+
+namespace {
+
+using rgimp::testing::kRightCase;
+using rgimp::testing::ScratchDirectory;
+using rgimp::testing::with;
+
+const std::filesystem::path kExamples = RGIMP_EXAMPLES;
+
+rgimp::Case read_text(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  const ScratchDirectory scratch;
+  return rgimp::read_case(scratch.write(text), overrides);
+}
+
+/// What is wrong with an override of the right case.
+std::string message_of(const std::string& override) {
+  try {
+    read_text(kRightCase, {override});
+  } catch (const rgimp::CaseError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+}  // namespace
+
+TEST_CASE("a case file gives the case it describes") {
+  const rgimp::Case read = rgimp::read_case(kExamples / "single_flaw.toml");
+  CHECK(read.title == "single 45 degree flaw under compression");
+  CHECK(read.dimension == 2);
+  CHECK(read.grid.cell_size == 0.5e-3);
+  CHECK_FALSE(read.grid.min.has_value());
+  REQUIRE(read.bodies.size() == 1);
+  CHECK(read.bodies[0].size == rgimp::Vector(50e-3, 100e-3, 0.0));
+  CHECK(read.bodies[0].particles_per_cell == 2);
+  REQUIRE(read.flaws.size() == 1);
+  CHECK(read.flaws[0].shape == rgimp::FlawShape::slot);
+  CHECK(read.flaws[0].length == 15e-3);
+  CHECK(read.flaws[0].width == 1.5e-3);
+  CHECK(read.flaws[0].angle == 45.0);
+  const rgimp::Material& rock = read.materials.at("rock");
+  CHECK(rock.youngs_modulus == 17e9);
+  REQUIRE(rock.failure.has_value());
+  CHECK(rock.failure->cohesion == 5.95e6);
+  CHECK(rock.failure->friction_angle == 40.0);
+  CHECK(rock.failure->tensile_strength == 2e6);
+  CHECK(rock.failure->treatment == rgimp::Treatment::no_tension);
+  REQUIRE(read.platens.size() == 2);
+  CHECK(read.platens[1].side == rgimp::Side::bottom);
+  CHECK(read.platens[1].speed == 0.005);
+  CHECK(read.platens[1].ramp == 2e-4);
+  CHECK(read.time.steps == 222440);
+  CHECK_FALSE(read.time.duration.has_value());
+  CHECK(read.local_damping == 0.7);
+  CHECK(read.quadratic_viscosity == 1.5);
+  CHECK(read.linear_viscosity == 0.06);
+  CHECK(read.output.history_every == 100);
+  CHECK(read.output.snapshot_steps == std::vector<std::int64_t>{66240, 135360, 222440});
+}
+
+TEST_CASE("the moving platen of the disk is the lower one") {
+  const rgimp::Case disk = rgimp::read_case(kExamples / "brazilian_disk.toml");
+  CHECK(disk.bodies.at(0).size.x() == 40e-3);
+  CHECK(disk.platens.at(0).side == rgimp::Side::bottom);
+  CHECK(disk.platens.at(0).speed == 0.004);
+  CHECK(disk.platens.at(1).speed == 0.0);
+  CHECK(disk.platens.at(1).half_width == 1e-3);
+}
+
+TEST_CASE("lines of keys and tables are known") {
+  const rgimp::Case read = read_text(kRightCase);
+  CHECK(read.source.line.at("grid.cell_size") == 4);
+  CHECK(read.source.line.at("body[0]") == 5);
+  CHECK(read.source.line.at("body[0].size[1]") == 8);
+  CHECK(read.source.line.at("material.rock.failure.cohesion") == 22);
+  CHECK(read.source.line.at("platen[1].side") == 29);
+}
+
+TEST_CASE("what is written reads back to the same case") {
+  const std::string everything = R"(title = "quote \" backslash \\ tab \t end"
+[grid]
+cell_size = 0.30000000000000004e-3
+min = [-0.0171, -0.0201]
+max = [0.05, 0.02]
+[[body]]
+shape = "disk"
+center = [0.1e-3, 0.2e-3]
+size = 0.03
+material = "hard rock"
+particles_per_cell = 3
+velocity = [1e-300, -7]
+[[flaw]]
+shape = "circle"
+center = [0.0, 0.0]
+length = 1e-3
+[[flaw]]
+shape = "box"
+center = [3e-3, 0.0]
+size = [1e-3, 2e-3]
+[[flaw]]
+shape = "slot"
+center = [-3e-3, 0.0]
+length = 5e-3
+width = 1e-3
+angle = 33.333333333333336
+ends = "round"
+[material."hard rock"]
+density = 2600
+youngs_modulus = 1e22
+poisson_ratio = 0
+failure = {criterion = "shear-strain", shear_strength = 1e-4, treatment = "pressure-window", pressure_min = -1.5, pressure_max = 2e5}
+[material.soft]
+density = 1
+youngs_modulus = 2
+poisson_ratio = 0.3
+[time]
+duration = 1e-6
+integrator = "usf"
+[damping]
+local = 0.1
+[viscosity]
+quadratic = 0
+linear = 0.1
+[body_force]
+acceleration = [0.0, -9.81]
+[output]
+history_every = 7
+snapshot_every = 3
+snapshot_steps = [1, 2]
+checkpoint_every = 11
+[tuning]
+threads = 2
+)";
+  const rgimp::Case first = read_text(everything);
+  const std::string text = rgimp::write_case(first);
+  const rgimp::Case second = read_text(text);
+  CHECK(rgimp::write_case(second) == text);
+  CHECK(text.find("\nsnapshot_steps = [1, 2]             # besides") != std::string::npos);
+
+  CHECK(second.title == first.title);
+  CHECK(second.title == "quote \" backslash \\ tab \t end");
+  CHECK(second.grid.cell_size == 0.30000000000000004e-3);
+  CHECK(second.grid.min.value() == first.grid.min.value());
+  CHECK(second.grid.max.value() == first.grid.max.value());
+  CHECK(second.bodies.at(0).velocity == rgimp::Vector(1e-300, -7.0, 0.0));
+  CHECK(second.bodies.at(0).particles_per_cell == 3);
+  CHECK(second.bodies.at(0).size == first.bodies.at(0).size);
+  CHECK(second.flaws.at(0).length == 1e-3);
+  CHECK(second.flaws.at(1).size == rgimp::Vector(1e-3, 2e-3, 0.0));
+  CHECK(second.flaws.at(2).ends == rgimp::SlotEnds::round);
+  CHECK(second.flaws.at(2).angle == 33.333333333333336);
+  const rgimp::Material& hard = second.materials.at("hard rock");
+  CHECK(hard.youngs_modulus == 1e22);
+  CHECK(hard.failure->criterion == rgimp::Criterion::shear_strain);
+  CHECK(hard.failure->shear_strain == 1e-4);
+  CHECK(hard.failure->shear_strength == 0.0);
+  CHECK(hard.failure->treatment == rgimp::Treatment::pressure_window);
+  CHECK(hard.failure->pressure_min == -1.5);
+  CHECK_FALSE(second.materials.at("soft").failure.has_value());
+  CHECK(second.platens.empty());
+  CHECK(second.time.duration == 1e-6);
+  CHECK_FALSE(second.time.steps.has_value());
+  CHECK(second.time.integrator == rgimp::Integrator::usf);
+  CHECK(second.quadratic_viscosity == 0.0);
+  CHECK(second.body_acceleration.y() == -9.81);
+  CHECK(second.output.snapshot_steps == std::vector<std::int64_t>{1, 2});
+  CHECK(second.output.checkpoint_every == 11);
+  CHECK(second.threads == 2);
+}
+
+TEST_CASE("the examples survive writing, and defaults are spelt out") {
+  for (const char* name : {"single_flaw.toml", "double_flaw.toml", "brazilian_disk.toml"}) {
+    INFO(name);
+    const rgimp::Case example = rgimp::read_case(kExamples / name);
+    const std::string text = rgimp::write_case(example);
+    CHECK(rgimp::write_case(read_text(text)) == text);
+    CHECK(text.find("integrator = \"musl\"") != std::string::npos);
+    CHECK(text.find("quadratic = 1.5") != std::string::npos);
+    CHECK(text.find("lateral = \"slip\"") != std::string::npos);
+    CHECK(rgimp::check_case(example).empty());
+  }
+}
+
+TEST_CASE("overrides change values before anything is checked") {
+  const rgimp::Case read =
+      read_text(kRightCase, {"body[0].size=[0.03, 0.05]", "flaw.0.angle=30", "time.integrator=usl",
+                             "material.rock.failure.cohesion=6e6", "damping.local=0.5",
+                             "title=\"two words\"", "grid.min=[-0.02, -0.03]", "time.steps=10",
+                             "time.steps=20", "output.snapshot_steps=[1, 2]"});
+  CHECK(read.bodies[0].size == rgimp::Vector(0.03, 0.05, 0.0));
+  CHECK(read.flaws[0].angle == 30.0);
+  CHECK(read.time.integrator == rgimp::Integrator::usl);
+  CHECK(read.materials.at("rock").failure->cohesion == 6e6);
+  CHECK(read.local_damping == 0.5);
+  CHECK(read.title == "two words");
+  CHECK(read.grid.min.value() == rgimp::Vector(-0.02, -0.03, 0.0));
+  CHECK(read.time.steps == 20);
+  CHECK(read.output.snapshot_steps.size() == 2);
+
+  // What would be wrong in the file is right once it is overridden.
+  CHECK_NOTHROW(read_text(with("0.5e-3", "-1"), {"grid.cell_size=0.5e-3"}));
+  CHECK(read_text(kRightCase, {"flaw=[]"}).flaws.empty());
+}
+
+TEST_CASE("errors of overrides name the override") {
+  CHECK(message_of("grid.cel_size=1e-3") ==
+        "--set grid.cel_size=1e-3: grid.cel_size: unknown key; did you mean \"cell_size\"?");
+  CHECK(message_of("body.0.size=3") ==
+        "--set body.0.size=3: body[0].size: found an integer; expected an array of 2 real numbers");
+  CHECK(message_of("time.integrator=foo") ==
+        "--set time.integrator=foo: time.integrator: \"foo\" is not one of musl, usl, usf");
+  CHECK(message_of("grid={cell_size=-1}") ==
+        "--set grid={cell_size=-1}: grid.cell_size: is -1; expected a number above 0");
+  CHECK(message_of("body[0].size=[0.02, -1]") ==
+        "--set body[0].size=[0.02, -1]: body[0].size[1]: is -1; expected a number above 0");
+  CHECK(message_of("material.rock.poisson_ratio=0.7") ==
+        "--set material.rock.poisson_ratio=0.7: material.rock.poisson_ratio: is 0.7; expected 0 or "
+        "more and less than 0.5");
+  CHECK(message_of("time.steps") == "--set time.steps: expected KEY=VALUE");
+  CHECK(message_of("time..steps=1") ==
+        "--set time..steps=1: expected a dotted key before '=', as in body[0].size=[0.05, 0.1]");
+  for (const std::string key :
+       {"", "body[0", "body0].size", "body[0]size", "body.", ".body", "a b"}) {
+    CHECK(message_of(key + "=1") ==
+          "--set " + key + "=1: expected a dotted key before '=', as in body[0].size=[0.05, 0.1]");
+  }
+  CHECK(message_of("time.steps=1 2") ==
+        "--set time.steps=1 2: \"1 2\" is not a TOML value; expected a number, a \"string\", an "
+        "[array] or a bare word");
+  CHECK(message_of("time.steps=1\nfoo=2") ==
+        "--set time.steps=1\nfoo=2: \"1\nfoo=2\" is not a TOML value; expected a number, a "
+        "\"string\", an [array] or a bare word");
+  CHECK(message_of("body[1].size=[1, 1]") ==
+        "--set body[1].size=[1, 1]: body[1] does not exist; the array's length is 1");
+  CHECK(message_of("body.rock=1") ==
+        "--set body.rock=1: body[rock] does not exist; the array's length is 1");
+  CHECK(message_of("grid.cell_size.x=1") ==
+        "--set grid.cell_size.x=1: grid.cell_size is a single value and has no \"x\"");
+}
+
+TEST_CASE("warnings are sentences with their place") {
+  const ScratchDirectory scratch;
+  const auto path = scratch.write(with("width = 1.5e-3", "width = 1e-3"));
+  const std::vector<std::string> warnings = rgimp::check_case(
+      rgimp::read_case(path, std::vector<std::string>{"output.checkpoint_every=10"}));
+  REQUIRE(warnings.size() == 2);
+  CHECK(warnings[0] == path.string() +
+                           ":14: flaw[0].width: an oblique slot 2 cells across still carries load "
+                           "(at two cells, 27 % of a 45 degree slot's compliance is missing); "
+                           "better three cells, 0.0015 m");
+  CHECK(warnings[1] ==
+        "--set output.checkpoint_every=10: output.checkpoint_every: has no effect; "
+        "this version does not write checkpoints yet");
+
+  // Along a grid line two cells are enough.
+  for (const char* angle : {"flaw[0].angle=0", "flaw[0].angle=90", "flaw[0].angle=-180.0"}) {
+    CHECK(rgimp::check_case(rgimp::read_case(path, std::vector<std::string>{angle})).empty());
+  }
+}
+
+TEST_CASE("a case built in code is checked under the names of its keys") {
+  rgimp::Case settings = read_text(kRightCase);
+  settings.source = {};
+  CHECK(rgimp::check_case(settings).empty());
+  settings.platens[0].speed = -0.005;  // pulls
+  CHECK_NOTHROW(rgimp::check_case(settings));
+  settings.platens.clear();
+  CHECK_NOTHROW(rgimp::check_case(settings));
+
+  rgimp::Case flat = settings;
+  flat.bodies[0].center.z() = 1.0;
+  CHECK_THROWS_WITH(rgimp::check_case(flat),
+                    "body[0].center: is 1 along z; expected 0 in two dimensions");
+  rgimp::Case bare = settings;
+  bare.bodies.clear();
+  CHECK_THROWS_WITH(rgimp::check_case(bare), "body: missing; expected at least one [[body]]");
+  rgimp::Case infinite = settings;
+  infinite.grid.cell_size = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_WITH(rgimp::check_case(infinite),
+                    "grid.cell_size: is nan; expected a finite number");
+}
+
+TEST_CASE("without friction the tensile strength has no limit, and bodies may touch") {
+  CHECK_NOTHROW(read_text(with("friction_angle = 40.0\ntensile_strength = 2e6",
+                               "friction_angle = 0\ntensile_strength = 2e9")));
+  CHECK_NOTHROW(read_text(with("[[flaw]]",
+                               "[[body]]\nshape = \"disk\"\ncenter = [15e-3, 0]\nsize = 10e-3\n"
+                               "material = \"rock\"\n[[flaw]]")));
+}
