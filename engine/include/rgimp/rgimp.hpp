@@ -3,5 +3,6 @@
 #include "rgimp/case.hpp"
 #include "rgimp/case_file.hpp"
 #include "rgimp/error.hpp"
+#include "rgimp/machine.hpp"
 #include "rgimp/run.hpp"
 #include "rgimp/simulation.hpp"

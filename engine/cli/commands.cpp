@@ -1,0 +1,157 @@
+#include "commands.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "format.hpp"
+#include "messages.hpp"
+#include "progress_display.hpp"
+#include "rgimp/rgimp.hpp"
+
+namespace rgimp::cli {
+
+namespace {
+
+/// Snapshots listed past the new end go: a short trial of a long case is no error.
+void set_steps(Case& settings, std::int64_t steps) {
+  settings.time.steps = steps;
+  settings.time.duration.reset();
+  std::erase_if(settings.output.snapshot_steps,
+                [steps](std::int64_t step) { return step > steps; });
+}
+
+Case load(const CaseArguments& arguments) {
+  Case settings = read_case(arguments.file, arguments.overrides);
+  if (arguments.steps) {
+    set_steps(settings, *arguments.steps);
+  }
+  if (arguments.threads) {
+    settings.threads = *arguments.threads;
+  }
+  for (const std::string& warning : check_case(settings)) {
+    print_warning(warning);
+  }
+  return settings;
+}
+
+std::string describe(const FirstFailure& failure) {
+  const Vector& at = failure.position;
+  return fmt::format("step {} at ({:.6g}, {:.6g}, {:.6g}) m in {}, closure {:.4g} m",
+                     with_separators(failure.step), at.x(), at.y(), at.z(),
+                     failure.mode == FailureMode::tension ? "tension" : "shear", failure.closure);
+}
+
+void print_line(std::string_view name, std::string_view value) {
+  fmt::print("{:<15} {}\n", name, value);
+}
+
+std::string describe_speed(double particle_steps_per_second) {
+  return fmt::format("{:.1f} M particle-steps/s", particle_steps_per_second * 1e-6);
+}
+
+void print_results(const Simulation& simulation, const Progress& progress,
+                   const std::filesystem::path& directory) {
+  const HistoryRow row = simulation.history();
+  const auto failure = simulation.first_failure();
+  print_line("results", directory.string());
+  print_line("steps", fmt::format("{}, {:.4g} s simulated", with_separators(row.step), row.time));
+  print_line("first failure", failure ? describe(*failure) : "none");
+  print_line("failed",
+             fmt::format("{} in tension, {} in shear", with_separators(row.failed_tension),
+                         with_separators(row.failed_shear)));
+  if (progress.seconds > 0.0) {
+    const double work = static_cast<double>(progress.particles) * static_cast<double>(row.step);
+    print_line("speed", fmt::format("{} in {}", describe_speed(work / progress.seconds),
+                                    format_duration(progress.seconds)));
+  }
+  print_line("pictures", fmt::format("rgimp-plot {}", directory.string()));
+}
+
+/// Seconds a step takes, from running for about a third of a second.
+double time_steps(Simulation& simulation) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::duration<double> span{0.3};
+  constexpr std::int64_t chunk = 8;
+  const std::int64_t total = simulation.facts().total_steps;
+  simulation.run_until(std::min<std::int64_t>(total, 1));  // touches all memory: no fair sample
+  const std::int64_t first = simulation.steps_done();
+  const Clock::time_point start = Clock::now();
+  std::chrono::duration<double> elapsed{0.0};
+  while (elapsed < span && simulation.steps_done() < total) {
+    simulation.run_until(std::min(total, simulation.steps_done() + chunk));
+    elapsed = Clock::now() - start;
+  }
+  return elapsed.count() /
+         static_cast<double>(std::max<std::int64_t>(1, simulation.steps_done() - first));
+}
+
+std::string describe_grid(const Facts& facts, const Case& settings) {
+  const auto& nodes = facts.nodes;
+  const std::string depth = settings.dimension == 3 ? fmt::format(" x {}", nodes[2]) : "";
+  return fmt::format("{} x {}{} nodes, cell size {:g} m", nodes[0], nodes[1], depth,
+                     settings.grid.cell_size);
+}
+
+}  // namespace
+
+void run(const RunArguments& arguments) {
+  RunOptions options;
+  options.directory = arguments.directory.value_or(arguments.input.file.stem());
+  if (arguments.existing == ExistingDirectory::replace) {
+    options.existing = ExistingOutput::replace;
+  }
+  Simulation simulation(load(arguments.input));
+  const bool quiet = arguments.verbosity == Verbosity::quiet;
+  ProgressDisplay display;
+  Progress latest;
+  options.on_progress = [&](const Progress& progress) {
+    latest = progress;
+    if (!quiet) {
+      display.show(progress);
+    }
+  };
+  try {
+    run_case(simulation, options);
+  } catch (const PhysicsError& error) {
+    throw PhysicsError(fmt::format("{} (see '{}' for the results up to step {})", error.what(),
+                                   options.directory.string(), simulation.steps_done()));
+  }
+  display.clear();
+  if (!quiet) {
+    print_results(simulation, latest, options.directory);
+  }
+}
+
+void check(const CaseArguments& arguments) {
+  Simulation simulation(load(arguments));
+  const Facts facts = simulation.facts();
+  const Case& settings = simulation.settings();
+  const double step_seconds = time_steps(simulation);
+  const auto total = static_cast<double>(facts.total_steps);
+  print_line("case", settings.title.empty() ? arguments.file.string() : settings.title);
+  print_line("particles", with_separators(static_cast<std::int64_t>(facts.particles)));
+  print_line("grid", describe_grid(facts, settings));
+  print_line("time step", fmt::format("{:.6g} s, {:.4f} of the critical step (dt/dt_cr)", facts.dt,
+                                      simulation.critical_step_ratio()));
+  print_line("steps", fmt::format("{}, {:.4g} s simulated", with_separators(facts.total_steps),
+                                  total * facts.dt));
+  print_line("memory", format_bytes(facts.memory_bytes));
+  print_line("machine", fmt::format("{}, {} threads", facts.isa, facts.threads));
+  if (step_seconds > 0.0) {
+    print_line("speed", describe_speed(static_cast<double>(facts.particles) / step_seconds));
+    print_line("estimated time", format_duration(total * step_seconds));
+  }
+}
+
+void info() {
+  const Machine machine = describe_machine();
+  print_line("version", version());
+  print_line("instructions", machine.isa);
+  print_line("threads", fmt::format("{}", machine.threads));
+  print_line("RGIMP_ISA", fmt::format("unset, or one of: {}", fmt::join(machine.isas, ", ")));
+}
+
+}  // namespace rgimp::cli

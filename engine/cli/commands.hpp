@@ -1,0 +1,15 @@
+#pragma once
+
+#include "arguments.hpp"
+
+/// The subcommands of `rgimp`. Errors are exceptions (rgimp/error.hpp).
+namespace rgimp::cli {
+
+/// `rgimp run`: runs a case to its end and writes its output directory.
+void run(const RunArguments& arguments);
+/// `rgimp check`: says what a run would be, after trying a few steps in memory; writes nothing.
+void check(const CaseArguments& arguments);
+/// `rgimp info`: what this build and machine are.
+void info();
+
+}  // namespace rgimp::cli

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace rgimp {
+
+/// A file under construction: it is written under a temporary name beside its place, and put there
+/// whole by commit(). Without commit() nothing is left of it, so readers never see half a file.
+class AtomicFile {
+ public:
+  explicit AtomicFile(std::filesystem::path target);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  const std::filesystem::path& temporary() const { return temporary_; }
+  /// Throws FileError.
+  void commit();
+
+ private:
+  std::filesystem::path target_;
+  std::filesystem::path temporary_;
+};
+
+/// What the temporary name of an AtomicFile ends with.
+inline constexpr std::string_view kTemporarySuffix = ".tmp";
+
+/// Writes a file whole or not at all. Throws FileError.
+void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace rgimp

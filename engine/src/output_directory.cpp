@@ -1,0 +1,148 @@
+#include "output_directory.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <system_error>
+#include <utility>
+
+#include "atomic_file.hpp"
+#include "rgimp/error.hpp"
+#include "snapshot.hpp"
+
+namespace rgimp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view kSnapshots = "snapshots";
+constexpr std::string_view kPictures = "pictures";
+constexpr std::string_view kSeries = "snapshots.vtkhdf.series";
+
+[[noreturn]] void fail(const fs::path& path, const std::error_code& error) {
+  throw FileError(
+      fmt::format("cannot use output directory '{}': {}", path.string(), error.message()));
+}
+
+/// The name a file has, or will have once it is finished.
+std::string final_name(const fs::path& file) {
+  std::string name = file.filename().string();
+  if (name.ends_with(kTemporarySuffix)) {
+    name.resize(name.size() - kTemporarySuffix.size());
+  }
+  return name;
+}
+
+template <std::size_t Count>
+bool is_one_of(const fs::path& file, const std::array<std::string_view, Count>& names) {
+  return std::find(names.begin(), names.end(), final_name(file)) != names.end();
+}
+
+bool is_top_file(const fs::path& file) {
+  constexpr std::array<std::string_view, 3> names{"case.toml", "history.csv", "summary.json"};
+  return is_one_of(file, names) || final_name(file).starts_with("checkpoint");
+}
+
+/// What rgimp-plot draws: beside new results, pictures of the replaced ones would mislead.
+bool is_picture(const fs::path& file) {
+  constexpr std::array<std::string_view, 5> names{"crack.png", "stress.png", "growth.png",
+                                                  "stress_closure.png", "energy.png"};
+  return is_one_of(file, names);
+}
+
+bool is_snapshot_file(const fs::path& file) {
+  const std::string name = final_name(file);
+  return name == kSeries || (name.starts_with("step_") && name.ends_with(".vtkhdf"));
+}
+
+template <typename Choice>
+void remove_files(const fs::path& directory, Choice is_ours) {
+  if (!fs::is_directory(directory)) {
+    return;
+  }
+  std::vector<fs::path> ours;  // listed first: removing under a running listing may skip files
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
+    if (!entry.is_directory() && is_ours(entry.path())) {
+      ours.push_back(entry.path());
+    }
+  }
+  for (const fs::path& file : ours) {
+    fs::remove(file);
+  }
+}
+
+/// Removes what a run writes and nothing else. Throws std::filesystem::filesystem_error.
+void remove_own_files(const fs::path& directory) {
+  remove_files(directory / kSnapshots, is_snapshot_file);
+  remove_files(directory / kPictures, is_picture);
+  remove_files(directory, is_top_file);
+}
+
+}  // namespace
+
+NewDirectories::~NewDirectories() {
+  for (auto directory = made_.rbegin(); directory != made_.rend(); ++directory) {
+    std::error_code ignored;  // it may hold files of others by now
+    fs::remove(*directory, ignored);
+  }
+}
+
+void NewDirectories::create(const fs::path& directory) {
+  if (directory.empty() || fs::exists(directory)) {
+    return;
+  }
+  create(directory.parent_path());
+  if (fs::create_directory(directory)) {
+    made_.push_back(directory);
+  }
+}
+
+OutputDirectory::OutputDirectory(fs::path path, ExistingOutput existing) : path_(std::move(path)) {
+  if (path_.empty()) {
+    throw CaseError("the output directory has no name");
+  }
+  try {
+    if (fs::exists(path_) && !fs::is_directory(path_)) {
+      fail(path_, std::make_error_code(std::errc::not_a_directory));
+    }
+    if (fs::exists(path_) && !fs::is_empty(path_)) {
+      if (existing == ExistingOutput::refuse) {
+        throw CaseError(fmt::format(
+            "output directory '{}' is not empty: choose another one, or replace its results with "
+            "--force",
+            path_.string()));
+      }
+      remove_own_files(path_);
+    }
+    new_directories_.create(path_ / kSnapshots);
+  } catch (const fs::filesystem_error& error) {
+    fail(path_, error.code());
+  }
+}
+
+OutputDirectory::~OutputDirectory() {
+  if (kept_) {
+    return;
+  }
+  try {
+    remove_own_files(path_);
+  } catch (const fs::filesystem_error&) {  // an error is under way already, and says more
+  }
+}
+
+void OutputDirectory::keep() {
+  kept_ = true;
+  new_directories_.keep();
+}
+
+fs::path OutputDirectory::snapshot_file(std::int64_t step) const {
+  return path_ / kSnapshots / snapshot_name(step);
+}
+
+fs::path OutputDirectory::series_file() const {
+  return path_ / kSnapshots / kSeries;
+}
+
+}  // namespace rgimp

@@ -1,0 +1,105 @@
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "output_directory.hpp"
+#include "rgimp/error.hpp"
+#include "temporary_directory.hpp"
+
+namespace {
+
+using namespace rgimp;
+namespace fs = std::filesystem;
+
+}  // namespace
+
+TEST_CASE("a new output directory is created, with those above it") {
+  const TemporaryDirectory temporary;
+  const fs::path path = temporary / "a" / "b";
+  {
+    OutputDirectory directory(path, ExistingOutput::refuse);
+    directory.keep();
+  }
+  CHECK(fs::is_directory(path / "snapshots"));
+}
+
+TEST_CASE("a run that never starts takes away what it created") {
+  const TemporaryDirectory temporary;
+  {
+    const OutputDirectory directory(temporary / "a" / "b", ExistingOutput::refuse);
+    write_text(directory.case_file(), "title");
+    write_text(directory.snapshot_file(0), "");
+    write_text(directory.series_file(), "");
+  }
+  CHECK(fs::is_empty(temporary.path()));
+}
+
+TEST_CASE("a run that never starts leaves the directory it was given, and files of others") {
+  const TemporaryDirectory temporary;
+  {
+    const OutputDirectory directory(temporary.path(), ExistingOutput::refuse);
+    write_text(directory.history_file(), "step");
+    write_text(temporary / "notes.txt", "mine");
+  }
+  CHECK(fs::exists(temporary / "notes.txt"));
+  CHECK_FALSE(fs::exists(temporary / "history.csv"));
+  CHECK_FALSE(fs::exists(temporary / "snapshots"));
+}
+
+TEST_CASE("a directory that is not empty is refused and stays as it is") {
+  const TemporaryDirectory temporary;
+  write_text(temporary / "history.csv", "step");
+  CHECK_THROWS_AS(OutputDirectory(temporary.path(), ExistingOutput::refuse), CaseError);
+  CHECK_THROWS_WITH(OutputDirectory(temporary.path(), ExistingOutput::refuse),
+                    Catch::Contains(temporary.path().string()) && Catch::Contains("--force"));
+  CHECK(fs::exists(temporary / "history.csv"));
+  CHECK_FALSE(fs::exists(temporary / "snapshots"));
+}
+
+TEST_CASE("replacing deletes our own files and no others") {
+  const TemporaryDirectory temporary;
+  fs::create_directories(temporary / "snapshots" / "step_mine.vtkhdf");
+  fs::create_directory(temporary / "pictures");
+  const auto ours = {"case.toml",
+                     "history.csv",
+                     "summary.json",
+                     "summary.json.tmp",
+                     "checkpoint_1.h5",
+                     "pictures/crack.png",
+                     "snapshots/step_000000000.vtkhdf",
+                     "snapshots/step_000000100.vtkhdf.tmp",
+                     "snapshots/snapshots.vtkhdf.series"};
+  const auto others = {"notes.txt", "history.csv.bak", "pictures/photo.png", "crack.png",
+                       "snapshots/view.pvsm"};
+  for (const std::string name : ours) {
+    write_text(temporary / name, "");
+  }
+  for (const std::string name : others) {
+    write_text(temporary / name, "");
+  }
+  OutputDirectory directory(temporary.path(), ExistingOutput::replace);
+  directory.keep();
+  for (const std::string name : ours) {
+    CHECK_FALSE(fs::exists(temporary / name));
+  }
+  for (const std::string name : others) {
+    CHECK(fs::exists(temporary / name));
+  }
+  CHECK(fs::is_directory(temporary / "snapshots" / "step_mine.vtkhdf"));
+}
+
+TEST_CASE("places that cannot be written are errors of files") {
+  const TemporaryDirectory temporary;
+  write_text(temporary / "file", "");
+  for (const ExistingOutput existing : {ExistingOutput::refuse, ExistingOutput::replace}) {
+    CHECK_THROWS_AS(OutputDirectory(temporary / "file", existing), FileError);
+    CHECK_THROWS_AS(OutputDirectory(temporary / "file" / "below", existing), FileError);
+  }
+  CHECK_THROWS_AS(OutputDirectory("", ExistingOutput::refuse), CaseError);
+}
+
+TEST_CASE("directories created on the way to a failure go again") {
+  const TemporaryDirectory temporary;
+  const std::string too_long(300, 'x');  // longer than names may be
+  CHECK_THROWS_AS(OutputDirectory(temporary / "a" / too_long, ExistingOutput::refuse), FileError);
+  CHECK(fs::is_empty(temporary.path()));
+}

@@ -1,0 +1,188 @@
+#include <hdf5.h>
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "rgimp/error.hpp"
+#include "snapshot.hpp"
+#include "temporary_directory.hpp"
+
+namespace {
+
+using namespace rgimp;
+
+/// Three particles, one of each failure mode.
+ParticleTable three_particles() {
+  ParticleTable table;
+  table.id = {0, 1, 2};
+  table.position = {{{0.1, 0.2, 0.0}, {0.3, 0.4, 0.0}, {0.5, 0.6, -1.0 / 3.0}}};
+  table.velocity = {{{1.0, 2.0, 0.0}, {3.0, 4.0, 0.0}, {5.0, 6.0, 7.0}}};
+  table.stress = {{{1.0, 2.0, 3.0, 4.0, 5.0, 6.0}, {}, {-1.0, -2.0, -3.0, -4.0, -5.0, -6.0}}};
+  table.max_principal_stress = {1e6, 0.0, -0.25};
+  table.failed = {FailureMode::tension, FailureMode::intact, FailureMode::shear};
+  table.failure_step = {17, -1, 2000000000};
+  return table;
+}
+
+/// Reads with plain HDF5 calls: nothing of the writer is trusted.
+class Reader {
+ public:
+  explicit Reader(const std::filesystem::path& path)
+      : file_(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)) {
+    REQUIRE(file_ >= 0);
+  }
+  ~Reader() { H5Fclose(file_); }
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+
+  std::vector<hsize_t> extent(const std::string& name) const {
+    const hid_t dataset = open(name);
+    const hid_t space = H5Dget_space(dataset);
+    std::vector<hsize_t> sizes(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));
+    H5Sget_simple_extent_dims(space, sizes.data(), nullptr);
+    H5Sclose(space);
+    H5Dclose(dataset);
+    return sizes;
+  }
+
+  template <typename Number>
+  std::vector<Number> read(const std::string& name, hid_t type) const {
+    std::size_t count = 1;
+    for (const hsize_t size : extent(name)) {
+      count *= size;
+    }
+    std::vector<Number> values(count);
+    const hid_t dataset = open(name);
+    REQUIRE(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0);
+    H5Dclose(dataset);
+    return values;
+  }
+
+  std::vector<double> doubles(const std::string& name) const {
+    return read<double>(name, H5T_NATIVE_DOUBLE);
+  }
+  std::vector<int> integers(const std::string& name) const {
+    return read<int>(name, H5T_NATIVE_INT);
+  }
+
+  std::string text_attribute(const std::string& object, const std::string& name) const {
+    const hid_t attribute =
+        H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT);
+    REQUIRE(attribute >= 0);
+    const hid_t type = H5Aget_type(attribute);
+    CHECK(H5Tis_variable_str(type) == 0);
+    CHECK(H5Tget_cset(type) == H5T_CSET_ASCII);
+    std::string text(H5Tget_size(type), '\0');
+    REQUIRE(H5Aread(attribute, type, text.data()) >= 0);
+    H5Tclose(type);
+    H5Aclose(attribute);
+    return text;
+  }
+
+  std::array<int, 2> version() const {
+    std::array<int, 2> numbers{};
+    const hid_t attribute = H5Aopen_by_name(file_, "VTKHDF", "Version", H5P_DEFAULT, H5P_DEFAULT);
+    REQUIRE(H5Aread(attribute, H5T_NATIVE_INT, numbers.data()) >= 0);
+    H5Aclose(attribute);
+    return numbers;
+  }
+
+ private:
+  hid_t open(const std::string& name) const {
+    const hid_t dataset = H5Dopen2(file_, ("VTKHDF/" + name).c_str(), H5P_DEFAULT);
+    REQUIRE(dataset >= 0);
+    return dataset;
+  }
+
+  hid_t file_;
+};
+
+template <typename Row>
+std::vector<double> flatten(const std::vector<Row>& rows) {
+  std::vector<double> values;
+  for (const Row& row : rows) {
+    values.insert(values.end(), row.begin(), row.end());
+  }
+  return values;
+}
+
+}  // namespace
+
+TEST_CASE("a snapshot is named after its step") {
+  CHECK(snapshot_name(0) == "step_000000000.vtkhdf");
+  CHECK(snapshot_name(222440) == "step_000222440.vtkhdf");
+}
+
+TEST_CASE("a snapshot is an unstructured grid of vertices") {
+  const TemporaryDirectory directory;
+  write_snapshot(directory / "a.vtkhdf", three_particles(), {42, 1.5e-6});
+  const Reader reader(directory / "a.vtkhdf");
+  CHECK(reader.text_attribute("VTKHDF", "Type") == "UnstructuredGrid");
+  CHECK(reader.version() == std::array{1, 0});
+  for (const std::string name : {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds"}) {
+    CHECK(reader.integers(name) == std::vector{3});
+  }
+  CHECK(reader.integers("Connectivity") == std::vector{0, 1, 2});
+  CHECK(reader.integers("Offsets") == std::vector{0, 1, 2, 3});
+  CHECK(reader.integers("Types") == std::vector{1, 1, 1});
+  CHECK(reader.integers("FieldData/step") == std::vector{42});
+  CHECK(reader.doubles("FieldData/time") == std::vector{1.5e-6});
+}
+
+TEST_CASE("a snapshot holds every column of the particles, bit for bit") {
+  const TemporaryDirectory directory;
+  const ParticleTable table = three_particles();
+  write_snapshot(directory / "a.vtkhdf", table, {});
+  const Reader reader(directory / "a.vtkhdf");
+  CHECK(reader.doubles("Points") == flatten(table.position));
+  CHECK(reader.extent("Points") == std::vector<hsize_t>{3, 3});
+  CHECK(reader.integers("PointData/id") == std::vector{0, 1, 2});
+  CHECK(reader.doubles("PointData/velocity") == flatten(table.velocity));
+  CHECK(reader.extent("PointData/velocity") == std::vector<hsize_t>{3, 3});
+  CHECK(reader.doubles("PointData/stress") == flatten(table.stress));
+  CHECK(reader.extent("PointData/stress") == std::vector<hsize_t>{3, 6});
+  CHECK(reader.doubles("PointData/max_principal_stress") == table.max_principal_stress);
+  CHECK(reader.integers("PointData/failed") == std::vector{1, 0, 2});
+  CHECK(reader.integers("PointData/failure_step") == table.failure_step);
+  CHECK(reader.text_attribute("VTKHDF/Points", "units") == "m");
+  CHECK(reader.text_attribute("VTKHDF/PointData/velocity", "units") == "m/s");
+  CHECK(reader.text_attribute("VTKHDF/PointData/stress", "units") == "Pa");
+  CHECK(reader.text_attribute("VTKHDF/PointData/failed", "units") == "1");
+}
+
+TEST_CASE("a snapshot that cannot be written leaves nothing and names the file") {
+  const TemporaryDirectory directory;
+  write_text(directory / "file", "");
+  CHECK_THROWS_WITH(write_snapshot(directory / "file" / "a.vtkhdf", three_particles(), {}),
+                    Catch::Contains("a.vtkhdf") && Catch::Contains("Not a directory"));
+  std::filesystem::create_directory(directory / "a.vtkhdf");
+  write_text(directory / "a.vtkhdf" / "in the way", "");
+  CHECK_THROWS_AS(write_snapshot(directory / "a.vtkhdf", three_particles(), {}), FileError);
+  CHECK_FALSE(std::filesystem::exists(directory / "a.vtkhdf.tmp"));
+}
+
+TEST_CASE("a full disk is an error, not a crash") {
+  if (!std::filesystem::exists("/dev/full")) {
+    WARN("no /dev/full here: not tested");
+    return;
+  }
+  const TemporaryDirectory directory;
+  std::filesystem::create_symlink("/dev/full", directory / "a.vtkhdf.tmp");
+  CHECK_THROWS_WITH(write_snapshot(directory / "a.vtkhdf", three_particles(), {}),
+                    Catch::Contains("No space left"));
+  CHECK_FALSE(std::filesystem::exists(directory / "a.vtkhdf"));
+}
+
+TEST_CASE("the series lists the snapshots with their times") {
+  const TemporaryDirectory directory;
+  const auto path = directory / "snapshots.vtkhdf.series";
+  write_series(path, {{0, 0.0}, {5000, 9.5e-5}});
+  const auto series = nlohmann::json::parse(read_text(path));
+  CHECK(series["file-series-version"] == "1.0");
+  REQUIRE(series["files"].size() == 2);
+  CHECK(series["files"][1]["name"] == "step_000005000.vtkhdf");
+  CHECK(series["files"][1]["time"] == 9.5e-5);
+}
