@@ -18,7 +18,7 @@ namespace {
 using rgimp::Integrator;
 using rgimp::kernels::Isa;
 
-// Not in a region of Workers: one step is a region, as a user's step() is; many steps share one.
+// Steps that share one region of Workers, as those of a run between two outputs do.
 constexpr std::int64_t kStepsPerIteration = 50;
 
 struct Setting {
@@ -33,15 +33,16 @@ struct Setting {
   }
 };
 
-rgimp::Case example_1(Integrator integrator) {
+rgimp::Case example_1(Integrator integrator, double local_damping) {
   rgimp::Case settings = rgimp::read_case(RGIMP_EXAMPLES "/single_flaw.toml");
   settings.time.integrator = integrator;
+  settings.local_damping = local_damping;
   return settings;
 }
 
 struct Engine {
-  explicit Engine(const Setting& setting)
-      : settings(example_1(setting.integrator)),
+  explicit Engine(const Setting& setting, double local_damping = 0.7)
+      : settings(example_1(setting.integrator, local_damping)),
         workers(setting.threads),
         solver(settings, setting.isa, workers) {}
 
@@ -61,14 +62,15 @@ struct Engine {
 /// Energy and reaction after some steps equal the scalar reference's, or what differs.
 std::string difference_from_reference(const Setting& setting) {
   constexpr std::int64_t kSteps = 100;
-  constexpr double kTolerance = 1e-9;
+  constexpr double kTolerance = 1e-10;
   static std::map<Integrator, rgimp::HistoryRow> expected;
+  // Without local damping, which turns on the sign of velocities that start as round-off.
   if (!expected.contains(setting.integrator)) {
-    Engine reference({Isa::reference, 1, setting.integrator});
+    Engine reference({Isa::reference, 1, setting.integrator}, 0.0);
     reference.steps(kSteps);
     expected[setting.integrator] = reference.solver.history();
   }
-  Engine engine(setting);
+  Engine engine(setting, 0.0);
   engine.steps(kSteps);
   const rgimp::HistoryRow got = engine.solver.history();
   const rgimp::HistoryRow& row = expected[setting.integrator];

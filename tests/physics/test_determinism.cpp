@@ -45,9 +45,12 @@ TEST_CASE("AVX2 and AVX-512 give the same bits") {
   }
 }
 
-TEST_CASE("before the first failure all ISAs agree within 1e-10") {
+// Without local damping: the sign of a velocity that is round-off is round-off too, so damping
+// makes 1e-16 grow to 1e-7 within a thousand steps.
+TEST_CASE("an elastic run agrees on all ISAs within 1e-12") {
   Case settings = cracking_block();
   settings.materials["rock"].failure.reset();
+  settings.local_damping = 0.0;
   Model reference(settings, 1, kernels::Isa::reference);
   reference.steps(1000);
   const HistoryRow expected = reference.solver.history();
@@ -57,9 +60,9 @@ TEST_CASE("before the first failure all ISAs agree within 1e-10") {
       model.steps(1000);
       const HistoryRow row = model.solver.history();
       INFO(kernels::name(isa));
-      REQUIRE(row.strain_energy == Approx(expected.strain_energy).epsilon(1e-10));
-      REQUIRE(row.reaction == Approx(expected.reaction).epsilon(1e-10));
-      REQUIRE(row.damping_work == Approx(expected.damping_work).epsilon(1e-10));
+      REQUIRE(row.strain_energy == Approx(expected.strain_energy).epsilon(1e-12));
+      REQUIRE(row.reaction == Approx(expected.reaction).epsilon(1e-12));
+      REQUIRE(row.external_work == Approx(expected.external_work).epsilon(1e-12));
     }
   }
 }

@@ -85,9 +85,12 @@ TEST_CASE("a platen with a half width loads only the middle") {
   REQUIRE(std::abs(corner) < 0.2 * std::abs(middle));
 }
 
+// At the strain that example 1 ends with, 4e-4: the strain energy sum of V sigma : C^-1 : sigma / 2
+// is that of small strains and misses tr eps / 3 of the work of a hypoelastic law.
 TEST_CASE("work in equals energy stored and lost within 2e-4, elastic, for every integrator") {
-  for (const Integrator integrator : {Integrator::musl, Integrator::usf}) {
+  for (const Integrator integrator : {Integrator::musl, Integrator::usl, Integrator::usf}) {
     Case settings = slow_compression();
+    settings.platens[0].speed = settings.platens[1].speed = 0.005;
     settings.time.integrator = integrator;
     settings.time.step_factor = 0.1;
     Model model(settings);
