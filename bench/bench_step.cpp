@@ -3,6 +3,7 @@
 // end gives every median as a ratio to the scalar reference on one thread of the same run.
 
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <cstdio>
@@ -62,7 +63,9 @@ struct Engine {
 /// Energy and reaction after some steps equal the scalar reference's, or what differs.
 std::string difference_from_reference(const Setting& setting) {
   constexpr std::int64_t kSteps = 100;
-  constexpr double kTolerance = 1e-10;
+  // USL strains with the velocities of nearly empty nodes, whose forces over masses have no more
+  // digits than the particle's distance from the edge of its weights.
+  const double tolerance = setting.integrator == Integrator::usl ? 1e-6 : 1e-10;
   static std::map<Integrator, rgimp::HistoryRow> expected;
   // Without local damping, which turns on the sign of velocities that start as round-off.
   if (!expected.contains(setting.integrator)) {
@@ -76,11 +79,12 @@ std::string difference_from_reference(const Setting& setting) {
   const rgimp::HistoryRow& row = expected[setting.integrator];
   const double strain = std::abs(got.strain_energy / row.strain_energy - 1.0);
   const double reaction = std::abs(got.reaction / row.reaction - 1.0);
-  if (strain <= kTolerance && reaction <= kTolerance) {
+  if (strain <= tolerance && reaction <= tolerance) {
     return {};
   }
-  return "differs from the scalar reference: strain energy by " + std::to_string(strain) +
-         ", reaction by " + std::to_string(reaction);
+  return fmt::format(
+      "differs from the scalar reference: strain energy by {:.3g}, reaction by {:.3g}", strain,
+      reaction);
 }
 
 void run(benchmark::State& state, const Setting& setting) {
