@@ -52,6 +52,22 @@ std::string describe_speed(double particle_steps_per_second) {
   return fmt::format("{:.1f} M particle-steps/s", particle_steps_per_second * 1e-6);
 }
 
+/// "P2G 40 %, nodes 5 %", of the time in steps.
+std::string describe(const std::vector<StageTime>& stages) {
+  double total = 0.0;
+  for (const StageTime& stage : stages) {
+    total += stage.seconds;
+  }
+  std::string text;
+  for (const StageTime& stage : stages) {
+    if (stage.seconds > 0.0) {
+      text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", stage.name,
+                          100.0 * stage.seconds / total);
+    }
+  }
+  return text;
+}
+
 void print_results(const Simulation& simulation, const Progress& progress,
                    const std::filesystem::path& directory) {
   const HistoryRow row = simulation.history();
@@ -66,6 +82,7 @@ void print_results(const Simulation& simulation, const Progress& progress,
     const double work = static_cast<double>(progress.particles) * static_cast<double>(row.step);
     print_line("speed", fmt::format("{} in {}", describe_speed(work / progress.seconds),
                                     format_duration(progress.seconds)));
+    print_line("of that", describe(simulation.stage_times()));
   }
   print_line("pictures", fmt::format("rgimp-plot {}", directory.string()));
 }

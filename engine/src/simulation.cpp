@@ -124,6 +124,15 @@ double Simulation::peak_axial_stress() const {
 Facts Simulation::facts() const {
   return implementation_->facts();
 }
+
+std::vector<StageTime> Simulation::stage_times() const {
+  std::vector<StageTime> times;
+  for (std::size_t stage = 0; stage < kStageNames.size(); ++stage) {
+    times.push_back({kStageNames[stage], implementation_->solver().stage_seconds()[stage]});
+  }
+  return times;
+}
+
 const Case& Simulation::settings() const {
   return implementation_->settings();
 }

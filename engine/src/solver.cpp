@@ -40,22 +40,6 @@ double least_node_mass(const Case& settings) {
   return kLeastMassShare * density * std::pow(0.5 * settings.grid.cell_size, Dim);
 }
 
-/// The axis of the first moving platen, else of the first platen, else y.
-int load_axis_of(const Case& settings) {
-  for (const Platen& platen : settings.platens) {
-    if (platen.speed != 0.0) {
-      return axis_of(platen.side).axis;
-    }
-  }
-  return settings.platens.empty() ? 1 : axis_of(settings.platens.front().side).axis;
-}
-
-double width_across(const Case& settings, int load_axis) {
-  const Box box = bounds(settings);
-  const int across = load_axis == 0 ? 1 : 0;
-  return box.max[across] - box.min[across];
-}
-
 }  // namespace
 
 template <int Dim>
@@ -67,9 +51,7 @@ Solver<Dim>::Solver(const Case& settings, kernels::Isa isa, Workers& workers)
       bands_(grid_.extent().nodes[Dim - 1], grid_.rows() / grid_.extent().nodes[Dim - 1],
              kBandHeight<Dim>),
       platens_((grid_.set_damping(settings.local_damping), settings), grid_),
-      platen_settings_(settings.platens),
-      load_axis_(load_axis_of(settings)),
-      width_(width_across(settings, load_axis_)),
+      ledger_(settings, static_cast<std::size_t>(grid_.rows())),
       sound_speed_(fastest_sound(settings)),
       dt_(time_step(settings)) {
   for (const auto& [name, material] : settings.materials) {
@@ -85,13 +67,7 @@ Solver<Dim>::Solver(const Case& settings, kernels::Isa isa, Workers& workers)
   for (int a = 0; a < Dim; ++a) {
     node_update_.body_acceleration[a] = settings.body_acceleration[a];
   }
-  const auto rows = static_cast<std::size_t>(grid_.rows());
-  node_sums_.resize(rows);
-  particle_sums_.resize(rows);
-  reach_.resize(rows);
-  platen_sums_.resize(rows, PlatenSums{0.0, std::vector<double>(platens_.count(), 0.0)});
   g_ = grid_.view();
-  reaction_of_platen_.resize(platens_.count(), 0.0);
   rebin();
   rebins_ = 0;
 }
@@ -188,8 +164,8 @@ void Solver<Dim>::advance_nodes() {
   platens_.set_time(time() + dt_);
   over_bands(Stage::nodes, [&](std::ptrdiff_t band) {
     const Range rows = bands_.rows(band);
-    kernels_.update_nodes(g_, node_update_, rows, node_sums_.data());
-    platens_.impose(g_, dt_, node_update_.least_mass, rows, platen_sums_);
+    kernels_.update_nodes(g_, node_update_, rows, ledger_.nodes());
+    platens_.impose(g_, dt_, node_update_.least_mass, rows, ledger_.platens());
   });
 }
 
@@ -225,12 +201,12 @@ void Solver<Dim>::accelerate(Range bins) {
 template <int Dim>
 void Solver<Dim>::strain(Range bins, const double* const* velocity) {
   kernels_.update_stress(p_, g_, velocity, materials_.data(), dt_,
-                         static_cast<std::int32_t>(steps_done_ + 1), bins, particle_sums_.data());
+                         static_cast<std::int32_t>(steps_done_ + 1), bins, ledger_.particles());
 }
 
 template <int Dim>
 void Solver<Dim>::move(Range bins) {
-  kernels_.gather_position(p_, g_, dt_, bins, reach_.data());
+  kernels_.gather_position(p_, g_, dt_, bins, ledger_.reach());
 }
 
 // ---- after the step -------------------------------------------------------------------------
@@ -238,67 +214,15 @@ void Solver<Dim>::move(Range bins) {
 template <int Dim>
 void Solver<Dim>::finish_step() {
   ++steps_done_;
-  add_row_sums();
-  if (!first_failure_ && failed_tension_ + failed_shear_ > 0) {
+  ledger_.add_step(dt_);
+  if (!first_failure_ && ledger_.failed_tension() + ledger_.failed_shear() > 0) {
     note_first_failure();
   }
   stop_if_unphysical();
-  if (farthest_ > 1.0 - grid_.particle_half_size()) {
+  // Three nodes per axis carry all weights up to here, from the node a particle was binned to.
+  if (ledger_.farthest() > 1.0 - grid_.particle_half_size()) {
     rebin();
   }
-}
-
-/// Rows in rising order, so that sums do not depend on threads.
-template <int Dim>
-void Solver<Dim>::add_row_sums() {
-  farthest_ = 0.0;
-  max_speed_ = 0.0;
-  std::vector<double>& reaction = reaction_of_platen_;
-  std::fill(reaction.begin(), reaction.end(), 0.0);
-  for (std::size_t row = 0; row < node_sums_.size(); ++row) {
-    budget_.external_work += node_sums_[row].body_force_work + platen_sums_[row].work;
-    budget_.damping_work += node_sums_[row].damping_work;
-    budget_.viscous_work += particle_sums_[row].viscous_work;
-    budget_.released_energy += particle_sums_[row].released_energy;
-    failed_tension_ += particle_sums_[row].failed_tension;
-    failed_shear_ += particle_sums_[row].failed_shear;
-    farthest_ = std::max(farthest_, reach_[row].distance);
-    max_speed_ = std::max(max_speed_, reach_[row].step / dt_);
-    for (std::size_t p = 0; p < reaction.size(); ++p) {
-      reaction[p] += platen_sums_[row].reaction[p];
-    }
-  }
-  peak_axial_stress_ = std::max(peak_axial_stress_, axial_stress());
-}
-
-/// Mean over the platens on the axis of the load, N.
-template <int Dim>
-double Solver<Dim>::reaction() const {
-  double sum = 0.0;
-  int opposed = 0;
-  for (std::size_t p = 0; p < platen_settings_.size(); ++p) {
-    if (axis_of(platen_settings_[p].side).axis == load_axis_) {
-      sum += reaction_of_platen_[p];
-      ++opposed;
-    }
-  }
-  return opposed > 0 ? sum / opposed : 0.0;
-}
-
-template <int Dim>
-double Solver<Dim>::axial_stress() const {
-  return reaction() / width_;
-}
-
-template <int Dim>
-double Solver<Dim>::closure() const {
-  double sum = 0.0;
-  for (const Platen& platen : platen_settings_) {
-    if (axis_of(platen.side).axis == load_axis_) {
-      sum += platen_travel(platen, time());
-    }
-  }
-  return sum;
 }
 
 template <int Dim>
@@ -312,8 +236,8 @@ void Solver<Dim>::note_first_failure() {
   }
   FirstFailure failure;
   failure.step = steps_done_;
-  failure.closure = closure();
-  failure.axial_stress = axial_stress();
+  failure.closure = ledger_.closure(time());
+  failure.axial_stress = ledger_.axial_stress();
   for (int a = 0; a < Dim; ++a) {
     failure.position[a] = particles_.position[a][*first];
   }
@@ -322,12 +246,9 @@ void Solver<Dim>::note_first_failure() {
   first_failure_ = failure;
 }
 
-/// A value that is not a number in any node reaches the damping work, so one look finds it.
 template <int Dim>
 void Solver<Dim>::stop_if_unphysical() const {
-  const bool finite = std::isfinite(budget_.damping_work) && std::isfinite(budget_.external_work) &&
-                      std::isfinite(budget_.viscous_work);
-  if (!finite) {
+  if (!ledger_.is_finite()) {
     throw PhysicsError(
         fmt::format("step {}: velocities are no longer numbers; lower time.step_factor, or raise "
                     "damping.local or viscosity if the specimen bursts",
@@ -338,13 +259,13 @@ void Solver<Dim>::stop_if_unphysical() const {
     throw PhysicsError(fmt::format(
         "step {}: the time step {:.6g} s is {:.4g} times the critical one (Eq. 22) at a speed of "
         "{:.4g} m/s; lower time.step_factor, or raise damping.local if the specimen bursts",
-        steps_done_, dt_, ratio, max_speed_));
+        steps_done_, dt_, ratio, ledger_.max_speed()));
   }
 }
 
 template <int Dim>
 double Solver<Dim>::critical_step_ratio() const {
-  return dt_ * (sound_speed_ + max_speed_) / grid_.extent().cell_size;
+  return dt_ * (sound_speed_ + ledger_.max_speed()) / grid_.extent().cell_size;
 }
 
 template <int Dim>
@@ -358,20 +279,21 @@ template <int Dim>
 HistoryRow Solver<Dim>::history() {
   const StoredEnergy stored =
       stored_energy(particles_, grid_.groups_in_row(), grid_.rows(), materials_, workers_);
+  const EnergyBudget& budget = ledger_.budget();
   HistoryRow row;
   row.step = steps_done_;
   row.time = time();
-  row.closure = closure();
-  row.axial_stress = axial_stress();
-  row.reaction = reaction();
+  row.closure = ledger_.closure(time());
+  row.axial_stress = ledger_.axial_stress();
+  row.reaction = ledger_.reaction();
   row.kinetic_energy = stored.kinetic;
   row.strain_energy = stored.strain;
-  row.external_work = budget_.external_work;
-  row.damping_work = budget_.damping_work;
-  row.viscous_work = budget_.viscous_work;
-  row.released_energy = budget_.released_energy;
-  row.failed_tension = failed_tension_;
-  row.failed_shear = failed_shear_;
+  row.external_work = budget.external_work;
+  row.damping_work = budget.damping_work;
+  row.viscous_work = budget.viscous_work;
+  row.released_energy = budget.released_energy;
+  row.failed_tension = ledger_.failed_tension();
+  row.failed_shear = ledger_.failed_shear();
   return row;
 }
 

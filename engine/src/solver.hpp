@@ -8,6 +8,7 @@
 #include "bands.hpp"
 #include "energy.hpp"
 #include "grid.hpp"
+#include "ledger.hpp"
 #include "particles.hpp"
 #include "platens.hpp"
 #include "rgimp/kernels/table.hpp"
@@ -17,7 +18,9 @@
 namespace rgimp {
 
 /// Parts of a step whose time is kept apart.
-enum class Stage { scatter, nodes, second_scatter, second_nodes, particles, count };
+enum class Stage { scatter, nodes, second_scatter, second_nodes, particles };
+inline constexpr std::array kStageNames = {"P2G", "nodes", "second P2G", "second nodes",
+                                           "G2P and stress"};
 
 /// The state of a simulation and its step.
 template <int Dim>
@@ -27,7 +30,7 @@ class Solver {
 
   /// One step; the integrators differ in where strains come from (Case::time).
   void step();
-  /// Sorts the particles into bins anew; done by step() whenever the drift bound asks for it.
+  /// Sorts the particles into bins anew; step() does it when one has drifted too far from its bin.
   void rebin();
 
   std::int64_t steps_done() const { return steps_done_; }
@@ -35,11 +38,10 @@ class Solver {
   double dt() const { return dt_; }
   double critical_step_ratio() const;
   std::int64_t rebins() const { return rebins_; }
-  double peak_axial_stress() const { return peak_axial_stress_; }
+  double peak_axial_stress() const { return ledger_.peak_axial_stress(); }
   const std::optional<FirstFailure>& first_failure() const { return first_failure_; }
-  const std::array<double, static_cast<std::size_t>(Stage::count)>& stage_seconds() const {
-    return stage_seconds_;
-  }
+  /// In the order of kStageNames.
+  const std::array<double, kStageNames.size()>& stage_seconds() const { return stage_seconds_; }
 
   HistoryRow history();
   Particles<Dim>& particles() { return particles_; }
@@ -70,12 +72,8 @@ class Solver {
   void over_colours(Stage stage, Work work);
 
   void finish_step();
-  void add_row_sums();
   void note_first_failure();
   void stop_if_unphysical() const;
-  double closure() const;
-  double reaction() const;
-  double axial_stress() const;
 
   Workers& workers_;
   const kernels::KernelTable<Dim>& kernels_;
@@ -86,31 +84,17 @@ class Solver {
   Grid<Dim> grid_;
   Bands bands_;
   Platens<Dim> platens_;
-  std::vector<Platen> platen_settings_;
-  int load_axis_;
-  double width_;  ///< m, bounding width across the load
+  Ledger ledger_;
   double sound_speed_;
   double dt_;
   kernels::NodeUpdate<Dim> node_update_{};
   kernels::ParticleView<Dim> p_{};
   kernels::GridView<Dim> g_{};
 
-  std::vector<kernels::NodeSums> node_sums_;          // by row
-  std::vector<kernels::ParticleSums> particle_sums_;  // by row
-  std::vector<kernels::Reach> reach_;                 // by row
-  std::vector<PlatenSums> platen_sums_;               // by row
-
   std::int64_t steps_done_ = 0;
   std::int64_t rebins_ = 0;
-  double farthest_ = 0.0;   ///< cells, of any particle from its bin's node along an axis
-  double max_speed_ = 0.0;  ///< m/s, fastest particle component in the last step
-  EnergyBudget budget_;
-  std::vector<double> reaction_of_platen_;  ///< N, of the last step
-  double peak_axial_stress_ = 0.0;
-  std::int64_t failed_tension_ = 0;
-  std::int64_t failed_shear_ = 0;
   std::optional<FirstFailure> first_failure_;
-  std::array<double, static_cast<std::size_t>(Stage::count)> stage_seconds_{};
+  std::array<double, kStageNames.size()> stage_seconds_{};
 };
 
 }  // namespace rgimp

@@ -92,7 +92,7 @@ struct Platen {
   double speed = 0.0;                ///< m/s, towards the specimen; negative pulls, 0 holds
   double ramp = 0.0;                 ///< s, smooth step from rest to `speed`
   Lateral lateral = Lateral::slip;   ///< stick: the other components are zero
-  std::optional<double> half_width;  ///< m, contact only within it of the bodies' centre
+  std::optional<double> half_width = std::nullopt;  ///< m, contact only within it of the bodies' centre
 };
 
 enum class Integrator { musl, usl, usf };

@@ -53,6 +53,12 @@ struct ParticleTable {
   std::size_t size() const { return id.size(); }
 };
 
+/// Time spent so far in one part of the steps.
+struct StageTime {
+  std::string_view name;
+  double seconds = 0.0;
+};
+
 /// Figures of the prepared simulation, for people and for `rgimp check`.
 struct Facts {
   std::size_t particles = 0;
@@ -65,7 +71,7 @@ struct Facts {
 };
 
 /// A running simulation. Errors are exceptions (see error.hpp); after a PhysicsError the state is
-/// that of the last completed step and can still be read.
+/// that of the step that the error names and can still be read.
 class Simulation {
  public:
   /// Throws CaseError for what check_case refuses, and for an RGIMP_ISA the machine lacks.
@@ -90,6 +96,7 @@ class Simulation {
   /// A hash of every particle's id and state in order of id: equal for equal bits.
   std::uint64_t state_hash() const;
   Facts facts() const;
+  std::vector<StageTime> stage_times() const;
   const Case& settings() const;
 
  private:

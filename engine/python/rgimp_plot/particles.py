@@ -82,12 +82,11 @@ def draw_growth(result):
 
 
 def growth_steps(result):
-    """At most six: the first, the last, between them those the case lists, else even ones."""
+    """At most six: the first, the last, between them cracked ones the case lists, else even ones."""
     steps = result.steps()
-    between = [step for step in steps[1:-1] if step in result.wanted_steps()]
-    if not between:
-        first_failure = result.first_failure_step() or 0
-        between = [step for step in steps[1:-1] if step >= first_failure]
+    first_failure = result.first_failure_step() or 0
+    cracked = [step for step in steps[1:-1] if step >= first_failure]
+    between = [step for step in cracked if step in result.wanted_steps()] or cracked
     room = MAX_PANELS - 2
     if len(between) > room:
         picks = np.linspace(0, len(between) - 1, room + 2)[1:-1].round().astype(int)
@@ -184,7 +183,8 @@ class Window:
             axes.tick_params(labelleft=False, labelbottom=False)
 
     def add_squares(self, axes, snapshot, chosen, **options):
-        corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * (self.size / 2)
+        # Three per cent larger than a particle: else rounding to pixels leaves white specks.
+        corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * (1.03 * self.size / 2)
         vertices = snapshot.position[chosen][:, None, :] * 1e3 + corners
         squares = PolyCollection(vertices, edgecolor="none", antialiased=False, **options)
         axes.add_collection(squares, autolim=False)

@@ -1,0 +1,89 @@
+#include "ledger.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry.hpp"
+
+namespace rgimp {
+namespace {
+
+/// The axis of the first moving platen, else of the first platen, else y.
+int load_axis_of(const Case& settings) {
+  for (const Platen& platen : settings.platens) {
+    if (platen.speed != 0.0) {
+      return axis_of(platen.side).axis;
+    }
+  }
+  return settings.platens.empty() ? 1 : axis_of(settings.platens.front().side).axis;
+}
+
+double width_across(const Case& settings, int load_axis) {
+  const Box box = bounds(settings);
+  const int across = load_axis == 0 ? 1 : 0;
+  return box.max[across] - box.min[across];
+}
+
+}  // namespace
+
+Ledger::Ledger(const Case& settings, std::size_t rows)
+    : platens_(settings.platens),
+      load_axis_(load_axis_of(settings)),
+      width_(width_across(settings, load_axis_)),
+      nodes_(rows),
+      particles_(rows),
+      reach_(rows),
+      platen_sums_(rows, PlatenSums{0.0, std::vector<double>(platens_.size(), 0.0)}),
+      reaction_of_platen_(platens_.size(), 0.0) {}
+
+void Ledger::add_step(double dt) {
+  farthest_ = 0.0;
+  double longest_move = 0.0;
+  std::fill(reaction_of_platen_.begin(), reaction_of_platen_.end(), 0.0);
+  for (std::size_t row = 0; row < nodes_.size(); ++row) {
+    budget_.external_work += nodes_[row].body_force_work + platen_sums_[row].work;
+    budget_.damping_work += nodes_[row].damping_work;
+    budget_.viscous_work += particles_[row].viscous_work;
+    budget_.released_energy += particles_[row].released_energy;
+    failed_tension_ += particles_[row].failed_tension;
+    failed_shear_ += particles_[row].failed_shear;
+    farthest_ = std::max(farthest_, reach_[row].distance);
+    longest_move = std::max(longest_move, reach_[row].step);
+    for (std::size_t p = 0; p < platens_.size(); ++p) {
+      reaction_of_platen_[p] += platen_sums_[row].reaction[p];
+    }
+  }
+  max_speed_ = longest_move / dt;
+  peak_axial_stress_ = std::max(peak_axial_stress_, axial_stress());
+}
+
+bool Ledger::is_on_load_axis(const Platen& platen) const {
+  return axis_of(platen.side).axis == load_axis_;
+}
+
+double Ledger::reaction() const {
+  double sum = 0.0;
+  int opposed = 0;
+  for (std::size_t p = 0; p < platens_.size(); ++p) {
+    if (is_on_load_axis(platens_[p])) {
+      sum += reaction_of_platen_[p];
+      ++opposed;
+    }
+  }
+  return opposed > 0 ? sum / opposed : 0.0;
+}
+
+double Ledger::closure(double time) const {
+  double sum = 0.0;
+  for (const Platen& platen : platens_) {
+    sum += is_on_load_axis(platen) ? platen_travel(platen, time) : 0.0;
+  }
+  return sum;
+}
+
+bool Ledger::is_finite() const {
+  return std::isfinite(budget_.damping_work) && std::isfinite(budget_.external_work) &&
+         std::isfinite(budget_.viscous_work) && std::isfinite(budget_.released_energy);
+}
+
+}  // namespace rgimp

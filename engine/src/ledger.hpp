@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "energy.hpp"
+#include "platens.hpp"
+#include "rgimp/case.hpp"
+#include "rgimp/kernels/views.hpp"
+
+namespace rgimp {
+
+/// What the rows of grid and bins report of each step, summed over steps: energies, reactions,
+/// failures. Rows are added in rising order, so that nothing depends on threads.
+class Ledger {
+ public:
+  Ledger(const Case& settings, std::size_t rows);
+
+  // Written by the phases of a step, an entry a row.
+  kernels::NodeSums* nodes() { return nodes_.data(); }
+  kernels::ParticleSums* particles() { return particles_.data(); }
+  kernels::Reach* reach() { return reach_.data(); }
+  std::vector<PlatenSums>& platens() { return platen_sums_; }
+
+  /// Adds the rows of the step just done, which took `dt` seconds.
+  void add_step(double dt);
+
+  const EnergyBudget& budget() const { return budget_; }
+  std::int64_t failed_tension() const { return failed_tension_; }
+  std::int64_t failed_shear() const { return failed_shear_; }
+  /// Mean over the platens on the axis of the load, N (2D: per metre), compression > 0.
+  double reaction() const;
+  double axial_stress() const { return reaction() / width_; }       ///< Pa, compression > 0
+  double peak_axial_stress() const { return peak_axial_stress_; }  ///< Pa, of all steps
+  /// Sum of the displacements towards the specimen of the platens on the axis of the load, m.
+  double closure(double time) const;
+  double farthest() const { return farthest_; }    ///< cells, of a particle from its bin's node
+  double max_speed() const { return max_speed_; }  ///< m/s, of a particle along an axis
+  /// Whether all sums are numbers. A node's velocity that is none reaches the damping work.
+  bool is_finite() const;
+
+ private:
+  bool is_on_load_axis(const Platen& platen) const;
+
+  std::vector<Platen> platens_;
+  int load_axis_;
+  double width_;  // m, bounding width across the load; unit thickness
+
+  std::vector<kernels::NodeSums> nodes_;
+  std::vector<kernels::ParticleSums> particles_;
+  std::vector<kernels::Reach> reach_;
+  std::vector<PlatenSums> platen_sums_;
+
+  EnergyBudget budget_;
+  std::vector<double> reaction_of_platen_;  // N, of the last step
+  double peak_axial_stress_ = 0.0;
+  std::int64_t failed_tension_ = 0;
+  std::int64_t failed_shear_ = 0;
+  double farthest_ = 0.0;
+  double max_speed_ = 0.0;
+};
+
+}  // namespace rgimp
