@@ -62,6 +62,13 @@ history_every = 100
 snapshot_every = 200
 snapshot_steps = [30]
 """
+SLOT = """
+[[flaw]]
+shape = "slot"
+center = [{x}, 0.0]
+length = {length}
+width = {width}
+"""
 PARTICLES = 20 * 40
 STEPS = 250
 
@@ -144,6 +151,24 @@ class WrongRequestTest(CommandTest):
                        says=["block.toml:5", "cel_size", "cell_size"])
         self.fail_with(WRONG_REQUEST, "check", self.case, says=["cel_size"])
         self.assertEqual(os.listdir(self.place), ["block.toml"])
+
+    def test_wrong_cases_are_refused_and_leave_nothing_behind(self):
+        second_body = CASE[CASE.index("[[body]]"):CASE.index("[material.rock]")]
+        for name, text, says in (
+                ("wrong type", CASE.replace("0.5e-3", "true"), "grid.cell_size"),
+                ("missing key", CASE.replace("density = 2600.0", ""), "density: missing"),
+                ("unknown key", CASE.replace("ratio", "ration"), "poisson_ratio"),
+                ("negative size", CASE.replace("5e-3, 10e-3", "-5e-3, 10e-3"), "body[0].size"),
+                ("no such material", CASE.replace('"rock"', '"rook"'), '"rock"'),
+                ("flaw outside", CASE + SLOT.format(x=0.1, length=3e-3, width=1e-3), "flaw[0]"),
+                ("narrow slot", CASE + SLOT.format(x=0.0, length=3e-3, width=0.6e-3), "flaw[0]"),
+                ("overlap", CASE + second_body, "body[1]"),
+                ("empty", CASE + SLOT.format(x=0.0, length=1.0, width=1.0), "no particle"),
+                ("no TOML", "title = ", "block.toml:1")):
+            with self.subTest(name=name):
+                self.case.write_text(text, encoding="utf-8")
+                self.fail_with(WRONG_REQUEST, "run", self.case, says=["block.toml", says])
+                self.assertEqual(os.listdir(self.place), ["block.toml"])
 
     def test_wrong_override(self):
         self.fail_with(WRONG_REQUEST, "run", self.case, "--set", "time.pace=3", says=["pace"])
