@@ -40,6 +40,14 @@ double least_node_mass(const Case& settings) {
   return kLeastMassShare * density * std::pow(0.5 * settings.grid.cell_size, Dim);
 }
 
+/// Row by row, so that what follows each other on a row's particles finds them in cache.
+template <typename Work>
+void for_each_row(kernels::RowRange rows, Work work) {
+  for (std::ptrdiff_t row = rows.first; row < rows.last; ++row) {
+    work(kernels::RowRange{row, row + 1});
+  }
+}
+
 }  // namespace
 
 template <int Dim>
@@ -173,8 +181,10 @@ template <int Dim>
 void Solver<Dim>::scatter_new_momentum() {
   over_colours(Stage::second_scatter, [&](std::ptrdiff_t band) {
     grid_.clear_second_field(bands_.cleared_rows(band));
-    accelerate(bands_.rows(band));
-    kernels_.scatter_second_momentum(p_, g_, bands_.rows(band));
+    for_each_row(bands_.rows(band), [&](Range row) {
+      accelerate(row);
+      kernels_.scatter_second_momentum(p_, g_, row);
+    });
   });
 }
 
@@ -190,7 +200,7 @@ void Solver<Dim>::divide(const double* const* momentum) {
 template <int Dim>
 template <typename Work>
 void Solver<Dim>::on_particles(Work work) {
-  over_bands(Stage::particles, [&](std::ptrdiff_t band) { work(bands_.rows(band)); });
+  over_bands(Stage::particles, [&](std::ptrdiff_t band) { for_each_row(bands_.rows(band), work); });
 }
 
 template <int Dim>

@@ -29,6 +29,27 @@ std::uint64_t phase_of(std::uint64_t tickets) {
   return tickets >> (2 * kIndexBits);
 }
 
+/// Numbers below 1e-308 count as zero while this lives, on its thread. Ahead of a wave fields fade
+/// through such numbers, and a step of USL there took 2.5 times as long.
+class FlushTinyNumbers {
+ public:
+#if defined(__x86_64__)
+  FlushTinyNumbers() {
+    _mm_setcsr(before_ | kFlushResults | kFlushOperands);
+  }
+  ~FlushTinyNumbers() {
+    _mm_setcsr(before_);
+  }
+  FlushTinyNumbers(const FlushTinyNumbers&) = delete;
+  FlushTinyNumbers& operator=(const FlushTinyNumbers&) = delete;
+
+ private:
+  static constexpr unsigned kFlushResults = 0x8000;
+  static constexpr unsigned kFlushOperands = 0x0040;
+  unsigned before_ = _mm_getcsr();
+#endif
+};
+
 /// Waits a moment: a pause first, the rest of the time slice when it takes long.
 class Backoff {
  public:
@@ -78,11 +99,14 @@ int Workers::threads() const {
 }
 
 void Workers::region(const std::function<void()>& body) {
+  const FlushTinyNumbers flush;
   if (threads() == 1) {
     body();
     return;
   }
+  // The caller may be moved to a thread of the arena.
   arena_->arena().execute([&] {
+    const FlushTinyNumbers flush_here;
     open_.store(true, std::memory_order_release);
     tbb::task_group helpers;
     for (int t = 1; t < threads(); ++t) {
@@ -137,6 +161,7 @@ bool Workers::take_one() {
 }
 
 void Workers::help() {
+  const FlushTinyNumbers flush;
   Backoff backoff;
   while (open_.load(std::memory_order_acquire)) {
     if (take_one()) {

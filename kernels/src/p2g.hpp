@@ -6,7 +6,8 @@
 /// Eight bins side by side give three rows of sums: for the nodes below, at and above them along x.
 /// They are shifted onto the same nodes with what the neighbouring groups carry over, so that
 /// memory is read and written in whole aligned groups; overlapping unaligned read-modify-writes
-/// instead cost 6.4 ns a particle against 2.5 (stores cannot be forwarded to such loads).
+/// instead cost a prototype 6.4 ns a particle against 2.5 (stores cannot be forwarded to such
+/// loads).
 namespace rgimp::kernels {
 namespace {
 
@@ -16,7 +17,7 @@ enum class Content { mass_momentum, force, momentum };
 template <int Dim, Content What>
 constexpr int kFields = What == Content::mass_momentum ? Dim + 1 : Dim;
 
-/// Slots whose weights are kept at a time; more slots in a group are done in further rounds.
+/// Slots whose weights are kept at a time; groups with more find theirs anew for every row.
 constexpr std::size_t kRound = 16;
 
 template <int Dim>
@@ -24,9 +25,12 @@ struct SlotWeights {
   AxisWeights axis[Dim];
 };
 
-/// Sums of one field of one node row for a group: for nodes below, at and above each bin along x.
-struct alignas(64) RowSums {
-  double to_node[3][kGroupWidth];
+/// One field of one node row for a group: what its bins add to the nodes below them along x, at
+/// them (with the share of the bins before, once settled), and above them.
+struct alignas(64) FieldSums {
+  double lower[kGroupWidth];
+  double settled[kGroupWidth];
+  double upper[kGroupWidth];
 };
 
 /// Product of the weights along all axes but x, and with the slope along one of them.
@@ -111,69 +115,39 @@ inline void add_force(const ParticleView<Dim>& particles, std::size_t index,
   }
 }
 
-/// Sums one node row over some slots of one batch of bins, on top of what `rows` holds.
-template <int Dim, Content What>
-inline void sum_row(const ParticleView<Dim>& particles, std::size_t first_slot, std::size_t slots,
-                    int part, const SlotWeights<Dim>* weights, int row, RowSums* fields) {
-  constexpr int kCount = kFields<Dim, What>;
-  Batch sums[kCount][3];
+/// Sums of a batch of bins for the nodes below, at and above them along x.
+template <int Count>
+struct Sums {
+  Sums() {
 #pragma GCC unroll 4
-  for (int f = 0; f < kCount; ++f) {
+    for (int f = 0; f < Count; ++f) {
 #pragma GCC unroll 3
-    for (int k = 0; k < 3; ++k) {
-      sums[f][k] = Batch::load_aligned(fields[f].to_node[k] + part * kLanes);
+      for (int k = 0; k < 3; ++k) {
+        field[f][k] = Batch(0.0);
+      }
     }
   }
-  for (std::size_t s = 0; s < slots; ++s) {
-    const std::size_t index = (first_slot + s) * kGroupWidth + part * kLanes;
-    if constexpr (What == Content::force) {
-      add_force<Dim>(particles, index, weights[s], row, sums);
-    } else {
-      add_momentum<Dim, What>(particles, index, weights[s], row, sums);
-    }
-  }
-#pragma GCC unroll 4
-  for (int f = 0; f < kCount; ++f) {
-#pragma GCC unroll 3
-    for (int k = 0; k < 3; ++k) {
-      sums[f][k].store_aligned(fields[f].to_node[k] + part * kLanes);
-    }
-  }
-}
-
-/// What a group leaves to its right neighbour, for one field of one node row.
-struct alignas(64) Carry {
-  double partial[kGroupWidth];  // the group's nodes, but for what the next group adds
-  double to_lower[kGroupWidth];
-  double to_upper[kGroupWidth];
+  Batch field[Count][3];
 };
 
-/// Finishes the group before `node` (its last node gets this group's lowest share) and starts this
-/// one (its first node gets the previous group's highest share).
-inline void pass_on(const RowSums& here, Carry& carry, double* before) {
-#pragma GCC unroll 4
-  for (int part = 0; part < kParts; ++part) {
-    const int lane = part * kLanes;
-    const Batch lower = Batch::load_aligned(carry.to_lower + lane);
-    const Batch lower_next = part + 1 < kParts ? Batch::load_aligned(carry.to_lower + lane + kLanes)
-                                               : Batch::load_aligned(here.to_node[0]);
+/// Puts a batch's sums down: starts its own nodes, whose highest bins' share the batch before has,
+/// and finishes those of the group before, whose last node still lacks this group's lowest share.
+/// `node_before` is null where there is no group before.
+inline void settle(const Batch (&sums)[3], int part, const FieldSums& before, FieldSums& here,
+                   double* node_before) {
+  const int lane = part * kLanes;
+  sums[0].store_aligned(here.lower + lane);
+  sums[2].store_aligned(here.upper + lane);
+  const double* upper_before =
+      part > 0 ? here.upper + lane - kLanes : before.upper + kGroupWidth - kLanes;
+  (sums[1] + shift_up(Batch::load_aligned(upper_before), sums[2]))
+      .store_aligned(here.settled + lane);
+  if (node_before != nullptr) {
+    const double* lower_after = part + 1 < kParts ? before.lower + lane + kLanes : here.lower;
     const Batch finished =
-        Batch::load_aligned(carry.partial + lane) + shift_down(lower, lower_next);
-    if (before != nullptr) {
-      (Batch::load_aligned(before + lane) + finished).store_aligned(before + lane);
-    }
-  }
-  Batch upper_before = Batch::load_aligned(carry.to_upper + kGroupWidth - kLanes);
-#pragma GCC unroll 4
-  for (int part = 0; part < kParts; ++part) {
-    const int lane = part * kLanes;
-    const Batch upper = Batch::load_aligned(here.to_node[2] + lane);
-    const Batch partial =
-        Batch::load_aligned(here.to_node[1] + lane) + shift_up(upper_before, upper);
-    partial.store_aligned(carry.partial + lane);
-    Batch::load_aligned(here.to_node[0] + lane).store_aligned(carry.to_lower + lane);
-    upper.store_aligned(carry.to_upper + lane);
-    upper_before = upper;
+        Batch::load_aligned(before.settled + lane) +
+        shift_down(Batch::load_aligned(before.lower + lane), Batch::load_aligned(lower_after));
+    (Batch::load_aligned(node_before + lane) + finished).store_aligned(node_before + lane);
   }
 }
 
@@ -212,77 +186,96 @@ class Scatter {
     if (columns.first == columns.last) {
       return;
     }
-    for (auto& fields : carry_) {
-      for (Carry& carry : fields) {
-        carry = Carry{};
-      }
-    }
+    *here_ = GroupSums{};
     for (std::ptrdiff_t column = columns.first; column < columns.last; ++column) {
-      const GroupPlace<Dim> place(grid_, row, column);
-      sum_group(place);
-      pass_all_on(place, column > 0);
+      const std::uint32_t* begin = particles_.group_begin + row * grid_.groups_in_row + column;
+      sum_group(GroupPlace<Dim>(grid_, row, column), {begin[0], begin[1]},
+                column > 0 ? Before::group : Before::edge);
     }
     const GroupPlace<Dim> end(grid_, row, columns.last);
-    clear_sums();
-    pass_all_on(end, true);
+    sum_group(end, {0, 0}, Before::group);
     if (columns.last < grid_.groups_in_row) {
-      add_partial(end);
+      add_settled(end);
     }
   }
 
  private:
-  void clear_sums() {
-    for (auto& fields : sums_) {
-      for (RowSums& sums : fields) {
-        sums = RowSums{};
+  struct Slots {
+    std::size_t first;
+    std::size_t last;
+  };
+  struct GroupSums {
+    FieldSums row[kNeighbourRows<Dim>][kCount];
+  };
+
+  enum class Before { group, edge };  // what lies to the left of a group
+
+  void sum_group(const GroupPlace<Dim>& place, Slots slots, Before left) {
+    GroupSums* const before = here_;
+    here_ = before == sums_ ? sums_ + 1 : sums_;
+    for (int part = 0; part < kParts; ++part) {
+      for (int row = 0; row < kNeighbourRows<Dim>; ++row) {
+        int first_field = 0;
+        ((sum_row<Whats>(place, slots, part, row, first_field, *before, left),
+          first_field += kFields<Dim, Whats>),
+         ...);
       }
     }
   }
 
-  void sum_group(const GroupPlace<Dim>& place) {
-    const std::uint32_t* begin = particles_.group_begin + place.first_node / kGroupWidth;
-    clear_sums();
-    for (std::size_t first = begin[0]; first < begin[1]; first += kRound) {
-      const std::size_t slots = begin[1] - first < kRound ? begin[1] - first : kRound;
-      for (int part = 0; part < kParts; ++part) {
-        find_weights(place, first, slots, part);
-        for (int row = 0; row < kNeighbourRows<Dim>; ++row) {
-          int field = 0;
-          ((sum_row<Dim, Whats>(particles_, first, slots, part, weights_, row, sums_[row] + field),
-            field += kFields<Dim, Whats>),
-           ...);
+  /// Sums the fields of one content of one node row over a batch of bins, and puts them down.
+  template <Content What>
+  void sum_row(const GroupPlace<Dim>& place, Slots slots, int part, int row, int first_field,
+               const GroupSums& before, Before left) {
+    constexpr int kContentFields = kFields<Dim, What>;
+    Sums<kContentFields> sums;
+    const bool all_at_once = slots.last - slots.first <= kRound;
+    for (std::size_t first = slots.first; first < slots.last; first += kRound) {
+      const std::size_t last = all_at_once ? slots.last : min(slots.last, first + kRound);
+      if (!all_at_once || (row == 0 && first_field == 0)) {
+        find_weights(place, {first, last}, part);
+      }
+      for (std::size_t slot = first; slot < last; ++slot) {
+        const std::size_t index = slot * kGroupWidth + part * kLanes;
+        if constexpr (What == Content::force) {
+          add_force<Dim>(particles_, index, weights_[slot - first], row, sums.field);
+        } else {
+          add_momentum<Dim, What>(particles_, index, weights_[slot - first], row, sums.field);
         }
       }
     }
+    const std::ptrdiff_t node_before = place.first_node + place.row_offset[row] - kGroupWidth;
+#pragma GCC unroll 4
+    for (int f = 0; f < kContentFields; ++f) {
+      settle(sums.field[f], part, before.row[row][first_field + f],
+             here_->row[row][first_field + f],
+             left == Before::group ? field_[first_field + f] + node_before : nullptr);
+    }
   }
 
-  void find_weights(const GroupPlace<Dim>& place, std::size_t first, std::size_t slots, int part) {
+  static std::size_t min(std::size_t a, std::size_t b) {
+    return a < b ? a : b;
+  }
+
+  void find_weights(const GroupPlace<Dim>& place, Slots slots, int part) {
     const BinOffsets<Dim> offsets = place.offsets(shape_, part);
-    for (std::size_t s = 0; s < slots; ++s) {
-      const std::size_t index = (first + s) * kGroupWidth + part * kLanes;
+    for (std::size_t slot = slots.first; slot < slots.last; ++slot) {
+      const std::size_t index = slot * kGroupWidth + part * kLanes;
 #pragma GCC unroll 3
       for (int a = 0; a < Dim; ++a) {
-        weights_[s].axis[a] =
+        weights_[slot - slots.first].axis[a] =
             axis_weights(node_distance(particles_, index, offsets, shape_, a), shape_);
       }
     }
   }
 
-  void pass_all_on(const GroupPlace<Dim>& place, bool has_group_before) {
-    for (int row = 0; row < kNeighbourRows<Dim>; ++row) {
-      const std::ptrdiff_t before = place.first_node + place.row_offset[row] - kGroupWidth;
-      for (int f = 0; f < kCount; ++f) {
-        pass_on(sums_[row][f], carry_[row][f], has_group_before ? field_[f] + before : nullptr);
-      }
-    }
-  }
-
-  void add_partial(const GroupPlace<Dim>& place) {
+  /// What the last group of a row gave to the nodes beyond it.
+  void add_settled(const GroupPlace<Dim>& place) {
     for (int row = 0; row < kNeighbourRows<Dim>; ++row) {
       for (int f = 0; f < kCount; ++f) {
         double* node = field_[f] + place.first_node + place.row_offset[row];
         for (int lane = 0; lane < kGroupWidth; ++lane) {
-          node[lane] += carry_[row][f].partial[lane];
+          node[lane] += here_->row[row][f].settled[lane];
         }
       }
     }
@@ -293,8 +286,8 @@ class Scatter {
   ShapeConstants<Dim> shape_;
   double* const (&field_)[kCount];
   SlotWeights<Dim> weights_[kRound];
-  RowSums sums_[kNeighbourRows<Dim>][kCount];
-  Carry carry_[kNeighbourRows<Dim>][kCount];
+  GroupSums sums_[2];
+  GroupSums* here_ = sums_;
 };
 
 template <int Dim, Content... Whats, int Count>

@@ -44,8 +44,13 @@ inline PlaneStress elastic_stress(const PlaneStress& s, const PlaneIncrement& e,
 /// Stress and failure of the particles of one material of one group.
 class StressUpdate {
  public:
-  StressUpdate(const ParticleView<2>& particles, double dt, std::int32_t step)
-      : p_(particles), per_dt_(1.0 / dt), step_(step) {}
+  StressUpdate(const ParticleView<2>& particles, const MaterialConstants* materials, double dt,
+               std::int32_t step)
+      : p_(particles),
+        tested_(materials),
+        test_(materials->limits),
+        per_dt_(1.0 / dt),
+        step_(step) {}
 
   void slot(std::size_t index, const PlaneIncrement& e, const MaterialConstants& material) {
     const Batch trace_of_strain = e.xx + e.yy;
@@ -54,8 +59,7 @@ class StressUpdate {
     const Circle circle = circle_of(s);
     const Batch mode = Batch::load_aligned(p_.failure_mode + index);
     const Mask intact = mode == Batch(kIntact);
-    const FailureTest test(material.limits);
-    const Mask failing = may_fail(s, circle, test) & intact;
+    const Mask failing = may_fail(s, circle, test_of(material)) & intact;
     // Rare: a handful of particles in a hundred thousand.
     if (xsimd::any(failing | (mode > Batch(kIntact)))) {
       s = fail(index, s, circle, mode, volume, material);
@@ -68,6 +72,15 @@ class StressUpdate {
   int part = 0;  ///< which batch of the group
 
  private:
+  /// The test of a slot's material, made anew only where the material changes.
+  const FailureTest& test_of(const MaterialConstants& material) {
+    if (&material != tested_) {
+      tested_ = &material;
+      test_ = FailureTest(material.limits);
+    }
+    return test_;
+  }
+
   PlaneStress load(std::size_t index) const {
     return {Batch::load_aligned(p_.stress[0] + index), Batch::load_aligned(p_.stress[1] + index),
             Batch::load_aligned(p_.stress[2] + index), Batch::load_aligned(p_.stress[3] + index)};
@@ -124,6 +137,8 @@ class StressUpdate {
   }
 
   const ParticleView<2>& p_;
+  const MaterialConstants* tested_;
+  FailureTest test_;
   double per_dt_;
   std::int32_t step_;
   LaneSum viscous_work_;
@@ -163,7 +178,7 @@ inline void update_stress(const ParticleView<2>& particles, const GridView<2>& g
                           std::int32_t step, RowRange bins, ParticleSums* by_row) {
   const ShapeConstants<2> shape(grid);
   for (std::ptrdiff_t row = bins.first; row < bins.last; ++row) {
-    StressUpdate update(particles, dt, step);
+    StressUpdate update(particles, materials, dt, step);
     for (std::ptrdiff_t column = 0; column < grid.groups_in_row; ++column) {
       const std::uint32_t* begin = particles.group_begin + row * grid.groups_in_row + column;
       if (begin[0] != begin[1]) {

@@ -59,7 +59,7 @@ TEST_CASE("a case file gives the case it describes") {
   CHECK(read.quadratic_viscosity == 1.5);
   CHECK(read.linear_viscosity == 0.06);
   CHECK(read.output.history_every == 100);
-  CHECK(read.output.snapshot_steps == std::vector<std::int64_t>{66240, 135360, 222440});
+  CHECK(read.output.snapshot_steps == std::vector<std::int64_t>{37000, 66240, 135360, 222440});
 }
 
 TEST_CASE("the moving platen of the disk is the lower one") {

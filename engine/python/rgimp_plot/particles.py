@@ -82,11 +82,12 @@ def draw_growth(result):
 
 
 def growth_steps(result):
-    """At most six: the first, the last, between them cracked ones the case lists, else even ones."""
+    """At most six: the first, the last, between them those the case lists, else even ones."""
     steps = result.steps()
-    first_failure = result.first_failure_step() or 0
-    cracked = [step for step in steps[1:-1] if step >= first_failure]
-    between = [step for step in cracked if step in result.wanted_steps()] or cracked
+    between = [step for step in steps[1:-1] if step in result.wanted_steps()]
+    if not between:
+        first_failure = result.first_failure_step() or 0
+        between = [step for step in steps[1:-1] if step >= first_failure]
     room = MAX_PANELS - 2
     if len(between) > room:
         picks = np.linspace(0, len(between) - 1, room + 2)[1:-1].round().astype(int)
