@@ -1,5 +1,7 @@
 #include "energy.hpp"
 
+#include <algorithm>
+
 namespace rgimp {
 namespace {
 
@@ -33,6 +35,23 @@ void add_slot(const kernels::ParticleView<Dim>& p, std::size_t slot,
   }
 }
 
+/// `group_begin` is that of the row's first group.
+template <int Dim>
+StoredEnergy energy_of_row(const kernels::ParticleView<Dim>& view, const std::uint32_t* group_begin,
+                           std::ptrdiff_t groups,
+                           const std::vector<kernels::MaterialConstants>& materials) {
+  LaneSums sums;
+  for (std::size_t slot = group_begin[0]; slot < group_begin[groups]; ++slot) {
+    add_slot(view, slot, materials[view.slot_material[slot]], sums);
+  }
+  StoredEnergy energy;
+  for (int lane = 0; lane < kGroupWidth; ++lane) {
+    energy.kinetic += sums.kinetic[lane];
+    energy.strain += sums.strain[lane];
+  }
+  return energy;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -42,16 +61,12 @@ StoredEnergy stored_energy(Particles<Dim>& particles, std::ptrdiff_t groups_in_r
                            Workers& workers) {
   const kernels::ParticleView<Dim> view = particles.view();
   std::vector<StoredEnergy> by_row(static_cast<std::size_t>(rows));
-  workers.for_each(rows, [&](std::ptrdiff_t row) {
-    LaneSums sums;
-    const std::size_t first = view.group_begin[row * groups_in_row];
-    const std::size_t last = view.group_begin[(row + 1) * groups_in_row];
-    for (std::size_t slot = first; slot < last; ++slot) {
-      add_slot(view, slot, materials[view.slot_material[slot]], sums);
-    }
-    for (int lane = 0; lane < kGroupWidth; ++lane) {
-      by_row[row].kinetic += sums.kinetic[lane];
-      by_row[row].strain += sums.strain[lane];
+  constexpr std::ptrdiff_t kRowsAtATime = 64;
+  workers.for_each((rows + kRowsAtATime - 1) / kRowsAtATime, [&](std::ptrdiff_t chunk) {
+    const std::ptrdiff_t last = std::min(rows, (chunk + 1) * kRowsAtATime);
+    for (std::ptrdiff_t row = chunk * kRowsAtATime; row < last; ++row) {
+      by_row[row] =
+          energy_of_row(view, view.group_begin + row * groups_in_row, groups_in_row, materials);
     }
   });
   StoredEnergy total;

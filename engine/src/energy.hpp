@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "bands.hpp"
 #include "particles.hpp"
 #include "workers.hpp"
 

@@ -17,7 +17,7 @@ namespace rgimp {
 /// shear-strain         eps1 - eps3 = (1 + nu) (s1 - s3) / E >= shear_strain
 kernels::FailureLimits failure_limits(const Material& material);
 
-/// Everything a kernel needs of a material; `dt` independent. `cell_size` enters the bulk viscosity
+/// Everything a kernel needs of a material. The cell size enters the bulk viscosity
 /// q = rho (c0 L^2 (tr D)^2 + c1 L c |tr D|) (Zhang, Chen & Liu, The material point method, 2017).
 kernels::MaterialConstants material_constants(const Material& material, const Case& settings);
 

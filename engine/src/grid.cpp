@@ -5,13 +5,13 @@
 namespace rgimp {
 
 template <int Dim>
-Grid<Dim>::Grid(const GridExtent& extent, int particles_per_cell)
+Grid<Dim>::Grid(const GridExtent& extent, int particles_per_cell, double damping)
     : extent_(extent),
       particle_half_size_(0.5 / particles_per_cell),
       groups_in_row_((extent.nodes[0] + kernels::kGroupWidth - 1) / kernels::kGroupWidth) {
   const std::size_t size = static_cast<std::size_t>(rows() * row_stride() + 2 * kHalo);
   mass_.resize(size);
-  damping_.resize(size);
+  damping_.resize(size, damping);
   for (int a = 0; a < Dim; ++a) {
     momentum_[a].resize(size);
     force_[a].resize(size);
@@ -31,11 +31,6 @@ Vector Grid<Dim>::position(std::ptrdiff_t node) const {
                      static_cast<double>(row % extent_.nodes[1]),
                      static_cast<double>(row / extent_.nodes[1]));
   return extent_.origin + extent_.cell_size * index;
-}
-
-template <int Dim>
-void Grid<Dim>::set_damping(double beta) {
-  std::fill(damping_.begin(), damping_.end(), beta);
 }
 
 template <int Dim>

@@ -13,7 +13,8 @@ namespace rgimp {
 template <int Dim>
 class Grid {
  public:
-  Grid(const GridExtent& extent, int particles_per_cell);
+  /// `damping` is beta of local damping, on every node.
+  Grid(const GridExtent& extent, int particles_per_cell, double damping);
 
   const GridExtent& extent() const { return extent_; }
   std::ptrdiff_t groups_in_row() const { return groups_in_row_; }
@@ -23,7 +24,6 @@ class Grid {
   double particle_half_size() const { return particle_half_size_; }
 
   Vector position(std::ptrdiff_t node) const;
-  void set_damping(double beta);
   /// Platen nodes are not damped, else reactions would be over-reported by 1 + beta.
   void clear_damping(std::ptrdiff_t node) { damping_[kHalo + node] = 0.0; }
 

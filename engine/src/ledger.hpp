@@ -22,6 +22,8 @@ class Ledger {
   kernels::Reach* reach() { return reach_.data(); }
   std::vector<PlatenSums>& platens() { return platen_sums_; }
 
+  /// The fastest particle before the first step, m/s.
+  void set_initial_speed(double speed) { max_speed_ = speed; }
   /// Adds the rows of the step just done, which took `dt` seconds.
   void add_step(double dt);
 
@@ -30,12 +32,12 @@ class Ledger {
   std::int64_t failed_shear() const { return failed_shear_; }
   /// Mean over the platens on the axis of the load, N (2D: per metre), compression > 0.
   double reaction() const;
-  double axial_stress() const { return reaction() / width_; }       ///< Pa, compression > 0
-  double peak_axial_stress() const { return peak_axial_stress_; }  ///< Pa, of all steps
+  double axial_stress() const { return reaction() / width_; }      ///< Pa, compression > 0
+  double peak_axial_stress() const { return peak_axial_stress_; }  ///< Pa, of all steps, at least 0
   /// Sum of the displacements towards the specimen of the platens on the axis of the load, m.
   double closure(double time) const;
   double farthest() const { return farthest_; }    ///< cells, of a particle from its bin's node
-  double max_speed() const { return max_speed_; }  ///< m/s, of a particle along an axis
+  double max_speed() const { return max_speed_; }  ///< m/s, of a particle in the last step
   /// Whether all sums are numbers. A node's velocity that is none reaches the damping work.
   bool is_finite() const;
 

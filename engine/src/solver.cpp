@@ -40,6 +40,15 @@ double least_node_mass(const Case& settings) {
   return kLeastMassShare * density * std::pow(0.5 * settings.grid.cell_size, Dim);
 }
 
+/// m/s.
+double fastest(const std::vector<ParticleSeed>& seeds) {
+  double most = 0.0;
+  for (const ParticleSeed& seed : seeds) {
+    most = std::max(most, seed.velocity.norm());
+  }
+  return most;
+}
+
 /// Row by row, so that what follows each other on a row's particles finds them in cache.
 template <typename Work>
 void for_each_row(kernels::RowRange rows, Work work) {
@@ -55,10 +64,11 @@ Solver<Dim>::Solver(const Case& settings, kernels::Isa isa, Workers& workers)
     : workers_(workers),
       kernels_(kernels::kernels_for<Dim>(isa)),
       integrator_(settings.time.integrator),
-      grid_(grid_extent(settings), settings.bodies.front().particles_per_cell),
+      grid_(grid_extent(settings), settings.bodies.front().particles_per_cell,
+            settings.local_damping),
       bands_(grid_.extent().nodes[Dim - 1], grid_.rows() / grid_.extent().nodes[Dim - 1],
              kBandHeight<Dim>),
-      platens_((grid_.set_damping(settings.local_damping), settings), grid_),
+      platens_(settings, grid_),
       ledger_(settings, static_cast<std::size_t>(grid_.rows())),
       sound_speed_(fastest_sound(settings)),
       dt_(time_step(settings)) {
@@ -70,6 +80,7 @@ Solver<Dim>::Solver(const Case& settings, kernels::Isa isa, Workers& workers)
     material_of_id_.push_back(seed.material);
   }
   particles_ = particles_from<Dim>(seeds);
+  ledger_.set_initial_speed(fastest(seeds));
   node_update_.dt = dt_;
   node_update_.least_mass = least_node_mass<Dim>(settings);
   for (int a = 0; a < Dim; ++a) {
@@ -280,7 +291,11 @@ double Solver<Dim>::critical_step_ratio() const {
 
 template <int Dim>
 void Solver<Dim>::rebin() {
-  bin_particles(particles_, material_of_id_, grid_, workers_);
+  try {
+    bin_particles(particles_, material_of_id_, grid_, workers_);
+  } catch (const PhysicsError& error) {
+    throw PhysicsError(fmt::format("step {}: {}", steps_done_, error.what()));
+  }
   p_ = particles_.view();
   ++rebins_;
 }

@@ -24,8 +24,8 @@ class Workers {
   /// Runs `body` on the calling thread while the helpers are awake for its for_each calls.
   void region(const std::function<void()>& body);
 
-  /// visit(index) for 0 <= index < count, each once, on any thread; outside a region all on the
-  /// caller. `visit` must not throw.
+  /// visit(index) for 0 <= index < count < 2^24, each once, on any thread; outside a region all on
+  /// the caller. `visit` must not throw.
   template <typename Visit>
   void for_each(std::ptrdiff_t count, Visit&& visit) {
     run({[](void* context, std::ptrdiff_t index) {
@@ -41,6 +41,7 @@ class Workers {
     void* context;
   };
   class Arena;
+  struct HelperTask;
 
   void run(Phase phase, std::ptrdiff_t count);
   bool take_one();

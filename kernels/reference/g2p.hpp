@@ -46,13 +46,15 @@ void gather_position(const ParticleView<Dim>& particles, const GridView<Dim>& gr
         particles, grid, {row, row + 1}, [&](std::size_t p, const BinNode<Dim>& bin, std::size_t) {
           const Gathered<Dim> velocity =
               gather(stencil_of(particles, p, bin, shape), shape, grid.momentum);
+          double step2 = 0.0;
           for (int a = 0; a < Dim; ++a) {
             const double step = dt * velocity.value[a];
             particles.position[a][p] += step;
-            reach.step = std::max(reach.step, std::abs(step));
+            step2 += step * step;
             reach.distance =
                 std::max(reach.distance, std::abs(node_distance(particles, p, bin, shape, a)));
           }
+          reach.step = std::max(reach.step, std::sqrt(step2));
         });
     by_row[row] = reach;
   }

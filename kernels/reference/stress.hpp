@@ -29,6 +29,12 @@ inline PlaneStress elastic_stress(const PlaneStress& s, const PlaneIncrement& e,
           s.xy + shear * e.xy + e.rotation * (s.yy - s.xx)};
 }
 
+/// Half the work of the dropped stress on the step's strain, J/m3: the stress rose to its trial
+/// value during the step, so this part was never put in.
+inline double half_work(const PlaneStress& s, const PlaneStress& left, const PlaneIncrement& e) {
+  return 0.5 * ((s.xx - left.xx) * e.xx + (s.yy - left.yy) * e.yy + (s.xy - left.xy) * e.xy);
+}
+
 /// Volume and bulk viscosity: q V = m (c0 L^2 (tr D)^2 + c1 L c |tr D|) in compression.
 inline void update_volume(const ParticleView<2>& particles, std::size_t p, double trace, double dt,
                           const MaterialConstants& material) {
@@ -62,7 +68,8 @@ inline void update_particle(const ParticleView<2>& particles, std::size_t p,
   if (particles.failure_mode[p] != kIntact) {
     const PlaneStress left = failed_stress(stress, material);
     sums.released_energy +=
-        particles.volume[p] * (energy_density(stress, material) - energy_density(left, material));
+        particles.volume[p] * (energy_density(stress, material) - energy_density(left, material) -
+                               half_work(stress, left, increment));
     stress = left;
   }
   particles.stress[0][p] = stress.xx;

@@ -2,6 +2,7 @@
 
 namespace rgimp::kernels {
 
+// Every flag that the unit of an ISA is compiled with.
 bool available(Isa isa) {
   switch (isa) {
     case Isa::reference:
@@ -10,7 +11,9 @@ bool available(Isa isa) {
     case Isa::avx2:
       return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
     case Isa::avx512:
-      return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq");
+      return available(Isa::avx2) && __builtin_cpu_supports("avx512f") &&
+             __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512cd") &&
+             __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl");
   }
   return false;
 }

@@ -141,6 +141,12 @@ inline Batch where_present(const ParticleView<Dim>& particles, std::size_t index
   return xsimd::select(present, Batch(value), Batch(0.0));
 }
 
+/// A gathered field at a batch of particles.
+template <int Dim>
+struct Gathered {
+  Batch value[Dim];
+};
+
 /// What becomes of a gathered acceleration: v += dt a.
 template <int Dim>
 class VelocityUpdate {
@@ -150,10 +156,13 @@ class VelocityUpdate {
   void begin_row() {}
   void end_row(std::ptrdiff_t) {}
 
-  void put(std::size_t index, int axis, Batch acceleration, const AxisBasis&) {
-    double* velocity = particles_.velocity[axis] + index;
-    fused(where_present(particles_, index, dt_), acceleration, Batch::load_aligned(velocity))
-        .store_aligned(velocity);
+  void put(std::size_t index, const Gathered<Dim>& acceleration, const Basis<Dim>&) {
+    const Batch dt = where_present(particles_, index, dt_);
+#pragma GCC unroll 3
+    for (int a = 0; a < Dim; ++a) {
+      double* velocity = particles_.velocity[a] + index;
+      fused(dt, acceleration.value[a], Batch::load_aligned(velocity)).store_aligned(velocity);
+    }
   }
 
  private:
@@ -170,20 +179,28 @@ class PositionUpdate {
       : particles_(particles), dt_(dt), cells_per_metre_(1.0 / grid.cell_size), by_row_(by_row) {}
 
   void begin_row() {
-    step_ = Batch(0.0);
+    step2_ = Batch(0.0);
     distance_ = Batch(0.0);
   }
 
-  void put(std::size_t index, int axis, Batch velocity, const AxisBasis& basis) {
-    double* position = particles_.position[axis] + index;
-    const Batch step = where_present(particles_, index, dt_) * velocity;
-    (Batch::load_aligned(position) + step).store_aligned(position);
-    const Batch distance = fused(step, Batch(cells_per_metre_), basis.d);
-    step_ = xsimd::max(step_, xsimd::abs(step));
-    distance_ = xsimd::max(distance_, xsimd::abs(distance));
+  void put(std::size_t index, const Gathered<Dim>& velocity, const Basis<Dim>& basis) {
+    const Batch dt = where_present(particles_, index, dt_);
+    Batch step2(0.0);
+#pragma GCC unroll 3
+    for (int a = 0; a < Dim; ++a) {
+      double* position = particles_.position[a] + index;
+      const Batch step = dt * velocity.value[a];
+      (Batch::load_aligned(position) + step).store_aligned(position);
+      step2 = fused(step, step, step2);
+      const Batch distance = fused(step, Batch(cells_per_metre_), basis.axis[a].d);
+      distance_ = xsimd::max(distance_, xsimd::abs(distance));
+    }
+    step2_ = xsimd::max(step2_, step2);
   }
 
-  void end_row(std::ptrdiff_t row) { by_row_[row] = {largest(distance_), largest(step_)}; }
+  void end_row(std::ptrdiff_t row) {
+    by_row_[row] = {largest(distance_), __builtin_sqrt(largest(step2_))};
+  }
 
  private:
   static double largest(Batch values) {
@@ -200,7 +217,7 @@ class PositionUpdate {
   double dt_;
   double cells_per_metre_;
   Reach* by_row_;
-  Batch step_;
+  Batch step2_;  // m2
   Batch distance_;
 };
 
@@ -218,10 +235,12 @@ void gather_group(const ParticleView<Dim>& particles, const GroupPlace<Dim>& pla
     for (std::size_t slot = begin[0]; slot < begin[1]; ++slot) {
       const std::size_t index = slot * kGroupWidth + part * kLanes;
       const Basis<Dim> basis = basis_at(particles, index, offsets, shape);
+      Gathered<Dim> gathered;
 #pragma GCC unroll 3
       for (int a = 0; a < Dim; ++a) {
-        update.put(index, a, value_at(c[a], basis), basis.axis[a]);
+        gathered.value[a] = value_at(c[a], basis);
       }
+      update.put(index, gathered, basis);
     }
   }
 }

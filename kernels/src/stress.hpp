@@ -62,7 +62,7 @@ class StressUpdate {
     const Mask failing = may_fail(s, circle, test_of(material)) & intact;
     // Rare: a handful of particles in a hundred thousand.
     if (xsimd::any(failing | (mode > Batch(kIntact)))) {
-      s = fail(index, s, circle, mode, volume, material);
+      s = fail(index, {s, e, circle, mode, volume}, material);
     }
     store(index, s);
   }
@@ -108,17 +108,36 @@ class StressUpdate {
     return volume;
   }
 
-  PlaneStress fail(std::size_t index, const PlaneStress& s, const Circle& circle, Batch mode,
-                   Batch volume, const MaterialConstants& material) {
-    const Batch now =
-        xsimd::select(mode == Batch(kIntact), failure_mode(s, circle, material.limits), mode);
-    note_new(index, mode, now);
+  /// A slot whose elastic stress is known and which holds failed or failing particles.
+  struct Trial {
+    PlaneStress stress;
+    PlaneIncrement increment;
+    Circle circle;
+    Batch mode;
+    Batch volume;
+  };
+
+  PlaneStress fail(std::size_t index, const Trial& trial, const MaterialConstants& material) {
+    const PlaneStress& s = trial.stress;
+    const Batch now = xsimd::select(trial.mode == Batch(kIntact),
+                                    failure_mode(s, trial.circle, material.limits), trial.mode);
+    note_new(index, trial.mode, now);
     const Mask failed = now > Batch(kIntact);
     const PlaneStress left = failed_stress(s, material);
-    const Batch released = volume * (energy_density(s, material) - energy_density(left, material));
+    const Batch released =
+        trial.volume * (energy_density(s, material) - energy_density(left, material) -
+                        half_work(s, left, trial.increment));
     released_.add(xsimd::select(failed, released, Batch(0.0)), part);
     return {xsimd::select(failed, left.xx, s.xx), xsimd::select(failed, left.yy, s.yy),
             xsimd::select(failed, left.zz, s.zz), xsimd::select(failed, left.xy, s.xy)};
+  }
+
+  /// Half the work of the dropped stress on the step's strain, J/m3: the stress rose to its trial
+  /// value during the step, so this part was never put in. Booked as released it would grow with
+  /// every step of a failed particle, without bound.
+  static Batch half_work(const PlaneStress& s, const PlaneStress& left, const PlaneIncrement& e) {
+    return Batch(0.5) *
+           fused(s.xx - left.xx, e.xx, fused(s.yy - left.yy, e.yy, (s.xy - left.xy) * e.xy));
   }
 
   void note_new(std::size_t index, Batch before, Batch now) {

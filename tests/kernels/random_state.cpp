@@ -32,7 +32,7 @@ std::vector<kernels::MaterialConstants> two_materials() {
 }  // namespace
 
 RandomState::RandomState(unsigned seed, int particles_per_cell, const Filling& filling)
-    : grid(extent(), particles_per_cell), materials(two_materials()), random_(seed) {
+    : grid(extent(), particles_per_cell, 0.7), materials(two_materials()), random_(seed) {
   place_slots(filling);
   for (std::size_t group = 0; group + 1 < particles.group_begin.size(); ++group) {
     const std::size_t first = particles.group_begin[group] * kernels::kGroupWidth;
@@ -98,7 +98,6 @@ void RandomState::fill_lane(std::size_t index, const Filling& filling) {
 
 void RandomState::randomise_nodes() {
   kernels::GridView<2> view = grid.view();
-  grid.set_damping(0.7);
   for (std::ptrdiff_t n = 0; n < grid.rows() * grid.row_stride(); ++n) {
     const bool empty = uniform(0.0, 1.0) < 0.1;
     view.mass[n] = empty ? 0.0 : uniform(1e-6, 6e-4);

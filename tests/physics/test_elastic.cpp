@@ -119,4 +119,68 @@ TEST_CASE("integrators agree on the reaction within 0.1 %") {
   REQUIRE(reaction(Integrator::usf) == Approx(musl).epsilon(1e-3));
 }
 
+TEST_CASE("left and right platens do what bottom and top ones do to a block turned by 90 degrees") {
+  Case standing = slow_compression();
+  standing.local_damping = 0.0;  // it turns on the signs of round-off
+  Case lying = standing;
+  lying.bodies[0].size = Vector(10e-3, 5e-3, 0.0);
+  lying.platens[0].side = Side::right;
+  lying.platens[1].side = Side::left;
+  Model upright(standing);
+  Model turned(lying);
+  upright.steps(2000);
+  turned.steps(2000);
+  const HistoryRow expected = upright.solver.history();
+  const HistoryRow row = turned.solver.history();
+  REQUIRE(row.closure == expected.closure);
+  REQUIRE(row.reaction == Approx(expected.reaction).epsilon(1e-9));
+  REQUIRE(row.axial_stress == Approx(expected.axial_stress).epsilon(1e-9));
+  REQUIRE(row.strain_energy == Approx(expected.strain_energy).epsilon(1e-9));
+}
+
+TEST_CASE("the particles per cell change the reaction by less than 0.1 %") {
+  const auto reaction = [](int particles_per_cell) {
+    Case settings = slow_compression();
+    settings.bodies[0].particles_per_cell = particles_per_cell;
+    Model model(settings);
+    model.steps(3000);
+    return model.solver.history().reaction;
+  };
+  const double two = reaction(2);
+  REQUIRE(reaction(3) == Approx(two).epsilon(1e-3));
+  REQUIRE(reaction(4) == Approx(two).epsilon(1e-3));
+}
+
+TEST_CASE("two materials in series are as stiff as theory says within 0.5 %") {
+  Case settings = slow_compression();
+  settings.bodies[0].size.y() = 5e-3;
+  settings.bodies[0].center.y() = -2.5e-3;
+  settings.bodies.push_back(settings.bodies[0]);
+  settings.bodies[1].center.y() = 2.5e-3;
+  settings.bodies[1].material = "soft";
+  settings.materials["rock"].poisson_ratio = 0.0;  // or the contact would not be uniaxial
+  settings.materials["soft"] = settings.materials["rock"];
+  settings.materials["soft"].youngs_modulus = 8.5e9;
+  Model model(settings);
+  model.steps(8000);
+  const HistoryRow row = model.solver.history();
+  const double modulus = row.axial_stress / (row.closure / 10e-3);
+  REQUIRE(modulus == Approx(2.0 / (1.0 / 17e9 + 1.0 / 8.5e9)).epsilon(5e-3));
+}
+
+TEST_CASE("a grid shifted by whole cells changes nothing but round-off") {
+  Case shifted = slow_compression();
+  shifted.grid.min = Vector(-8e-3, -9e-3, 0.0);
+  shifted.grid.max = Vector(9e-3, 10e-3, 0.0);
+  shifted.local_damping = 0.0;
+  Case usual = slow_compression();
+  usual.local_damping = 0.0;
+  Model model(shifted);
+  Model expected(usual);
+  model.steps(1000);
+  expected.steps(1000);
+  REQUIRE(model.solver.history().reaction ==
+          Approx(expected.solver.history().reaction).epsilon(1e-10));
+}
+
 }  // namespace rgimp::tests

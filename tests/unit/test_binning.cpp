@@ -44,7 +44,7 @@ std::vector<std::uint8_t> materials_of(const std::vector<ParticleSeed>& seeds) {
 
 TEST_CASE("binning puts each particle, with all it carries, in a lane of its nearest node") {
   const std::vector<ParticleSeed> seeds = random_seeds(3000);
-  const Grid<2> grid(extent(), 2);
+  const Grid<2> grid(extent(), 2, 0.0);
   Workers workers(2);
   Particles<2> particles = particles_from<2>(seeds);
   bin_particles(particles, materials_of(seeds), grid, workers);
@@ -78,7 +78,7 @@ TEST_CASE("binning puts each particle, with all it carries, in a lane of its nea
 
 TEST_CASE("binning again changes nothing, and keeps the order within a bin") {
   const std::vector<ParticleSeed> seeds = random_seeds(2000);
-  const Grid<2> grid(extent(), 2);
+  const Grid<2> grid(extent(), 2, 0.0);
   Workers workers(2);
   Particles<2> particles = particles_from<2>(seeds);
   bin_particles(particles, materials_of(seeds), grid, workers);
@@ -91,7 +91,7 @@ TEST_CASE("a particle out of the grid, or nowhere, is named and nothing is moved
   for (const double x : {-1e-3, 1.0, std::numeric_limits<double>::quiet_NaN(), 1e300}) {
     std::vector<ParticleSeed> seeds = random_seeds(20);
     seeds[7].position.x() = x;
-    const Grid<2> grid(extent(), 2);
+    const Grid<2> grid(extent(), 2, 0.0);
     Workers workers(1);
     Particles<2> particles = particles_from<2>(seeds);
     const Column<std::uint32_t> before = particles.id;

@@ -89,10 +89,11 @@ enum class Lateral { slip, stick };
 /// A rigid plate that prescribes the normal velocity of all nodes at or beyond the bodies' end.
 struct Platen {
   Side side = Side::top;
-  double speed = 0.0;                ///< m/s, towards the specimen; negative pulls, 0 holds
-  double ramp = 0.0;                 ///< s, smooth step from rest to `speed`
-  Lateral lateral = Lateral::slip;   ///< stick: the other components are zero
-  std::optional<double> half_width = std::nullopt;  ///< m, contact only within it of the bodies' centre
+  double speed = 0.0;               ///< m/s, towards the specimen; negative pulls, 0 holds
+  double ramp = 0.0;                ///< s, smooth step from rest to `speed`
+  Lateral lateral = Lateral::slip;  ///< stick: the other components are zero
+  std::optional<double> half_width =
+      std::nullopt;  ///< m, contact only within it of the bodies' centre
 };
 
 enum class Integrator { musl, usl, usf };

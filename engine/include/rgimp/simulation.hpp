@@ -86,13 +86,12 @@ class Simulation {
 
   std::int64_t steps_done() const;
   double time() const;  ///< s
-  /// dt over the critical step of Eq. 22 with the largest speed at which a particle
-  /// moved along an axis in the last step.
+  /// dt over the critical step of Eq. 22 with the fastest particle of the last step.
   double critical_step_ratio() const;
   HistoryRow history() const;
   ParticleTable particles() const;
   std::optional<FirstFailure> first_failure() const;
-  double peak_axial_stress() const;  ///< Pa, largest over all steps
+  double peak_axial_stress() const;  ///< Pa, largest over all steps, at least 0
   /// A hash of every particle's id and state in order of id: equal for equal bits.
   std::uint64_t state_hash() const;
   Facts facts() const;

@@ -90,9 +90,9 @@ struct NodeSums {
   double body_force_work;  ///< J
 };
 
-/// The farthest and the fastest particle of a row of bins, along any axis.
+/// The farthest and the fastest particle of a row of bins.
 struct Reach {
-  double distance;  ///< cells, from its bin's node
+  double distance;  ///< cells, from its bin's node along any axis
   double step;      ///< m, moved in this step
 };
 
