@@ -113,12 +113,15 @@ class Ratios : public benchmark::ConsoleReporter {
   void ReportRuns(const std::vector<Run>& runs) override {
     ConsoleReporter::ReportRuns(runs);
     for (const Run& run : runs) {
+      any_error_ = any_error_ || run.error_occurred;
       if (!run.error_occurred && run.aggregate_name == "median") {
         const auto found = run.counters.find("particle_steps_per_second");
         speed_[run.run_name.function_name] = found->second;
       }
     }
   }
+
+  bool any_error() const { return any_error_; }
 
   void print() const {
     std::printf("\n%-28s %24s %10s\n", "median", "M particle-steps/s", "ratio");
@@ -136,6 +139,7 @@ class Ratios : public benchmark::ConsoleReporter {
 
  private:
   std::map<std::string, double> speed_;
+  bool any_error_ = false;
 };
 
 void add_benchmarks() {
@@ -167,5 +171,5 @@ int main(int argc, char** argv) {
   Ratios ratios;
   benchmark::RunSpecifiedBenchmarks(&ratios);
   ratios.print();
-  return 0;
+  return ratios.any_error() ? 1 : 0;
 }
