@@ -96,13 +96,14 @@ TEST_CASE("snapshots follow both their pace and their list") {
   OutputSettings settings;
   settings.history_every = 1000;
   settings.snapshot_every = 40;
-  settings.snapshot_steps = {75, 10, 75, 5000};  // in any order, twice, and past the end
+  settings.snapshot_steps = {75, 10, 75, 5001};  // in any order, twice, and past the end
   const OutputSchedule schedule(settings, 100);
   CHECK(stops(schedule, 100) == std::vector<std::int64_t>{10, 40, 75, 80, 100});
   CHECK(schedule.writes_snapshot(75));
   CHECK(schedule.writes_snapshot(80));
   CHECK_FALSE(schedule.writes_history(75));
   CHECK_FALSE(schedule.writes_snapshot(76));
+  CHECK_FALSE(schedule.writes_snapshot(5001));
 }
 
 TEST_CASE("chunks of steps grow to the pace wanted and shrink again") {
