@@ -41,29 +41,6 @@ double count_lattice_points(const Case& settings) {
   return points;
 }
 
-/// In real numbers, for what is refused here need not fit an integer.
-void check_amount(const Case& settings) {
-  const double nodes = count_nodes(settings);
-  const double particles = count_lattice_points(settings);
-  const ValueChecker check(settings);
-  if (!(nodes <= kMostNodes)) {
-    check.refuse("grid.cell_size",
-                 fmt::format("makes {:.3g} nodes; expected at most {:.0f}", nodes, kMostNodes));
-  }
-  if (!(particles <= kMostParticles)) {
-    check.refuse("grid.cell_size", fmt::format("makes {:.3g} particles; expected at most {:.0f}",
-                                               particles, kMostParticles));
-  }
-  const double bytes = nodes * kBytesPerNode + particles * kBytesPerParticle;
-  if (bytes > machine_memory()) {
-    check.refuse(
-        "grid.cell_size",
-        fmt::format("makes {:.3g} nodes and {:.3g} particles, which take about {:.0f} GiB; "
-                    "expected no more than this machine's {:.0f} GiB",
-                    nodes, particles, bytes / kGibibyte, machine_memory() / kGibibyte));
-  }
-}
-
 void check_margin(const Case& settings, const GridExtent& extent) {
   constexpr std::array<std::string_view, 2> kBelow{"left of", "below"};
   constexpr std::array<std::string_view, 2> kAbove{"right of", "above"};
@@ -122,8 +99,31 @@ void check_contact_nodes(const Case& settings, const GridExtent& extent, std::si
 
 }  // namespace
 
+// In real numbers, for what is refused here need not fit an integer.
+void check_amount(const Case& settings, double machine_bytes) {
+  const double nodes = count_nodes(settings);
+  const double particles = count_lattice_points(settings);
+  const ValueChecker check(settings);
+  if (!(nodes <= kMostNodes)) {
+    check.refuse("grid.cell_size",
+                 fmt::format("makes {:.3g} nodes; expected at most {:.0f}", nodes, kMostNodes));
+  }
+  if (!(particles <= kMostParticles)) {
+    check.refuse("grid.cell_size", fmt::format("makes {:.3g} particles; expected at most {:.0f}",
+                                               particles, kMostParticles));
+  }
+  const double bytes = nodes * kBytesPerNode + particles * kBytesPerParticle;
+  if (bytes > machine_bytes) {
+    check.refuse(
+        "grid.cell_size",
+        fmt::format("makes {:.3g} nodes and {:.3g} particles, which take about {:.0f} GiB; "
+                    "expected no more than this machine's {:.0f} GiB",
+                    nodes, particles, bytes / kGibibyte, machine_bytes / kGibibyte));
+  }
+}
+
 void check_grid(const Case& settings) {
-  check_amount(settings);
+  check_amount(settings, machine_memory());
   const GridExtent extent = grid_extent(settings);
   check_margin(settings, extent);
   for (std::size_t i = 0; i < settings.platens.size(); ++i) {

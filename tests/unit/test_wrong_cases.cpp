@@ -1,11 +1,13 @@
 #include <catch2/catch.hpp>
 
+#include "case_check.hpp"
 #include "case_text.hpp"
 #include "rgimp/rgimp.hpp"
 
 namespace {
 
 using rgimp::testing::kRightCase;
+using rgimp::testing::read_text;
 using rgimp::testing::ScratchDirectory;
 using rgimp::testing::with;
 
@@ -245,6 +247,8 @@ TEST_CASE("bodies, flaws and platens that do not fit are refused") {
       {"cell_size = 0.5e-3", "cell_size = 0.5e-3\nmin = [-15e-3, -25.2e-3]",
        "27: platen[0].side: the bodies' top end at y = 0.02 m is not on a grid line; expected a "
        "height of 0.0398 or 0.0403 m"},
+      {"0.5e-3\n[[body]]", "1e-6\n[[body]]\nparticles_per_cell = 4",
+       "4: grid.cell_size: makes 1.28e+10 particles; expected at most 4294967295"},
       {"0.5e-3", "1e-9", "4: grid.cell_size: makes 8e+14 nodes; expected at most 2147483648"},
       {"speed = 0.005",
        "speed = 0.005\nhalf_width = 0.1e-3\n[[platen]]\nside = \"left\"\nspeed = 0", "accepted"},
@@ -253,10 +257,14 @@ TEST_CASE("bodies, flaws and platens that do not fit are refused") {
 }
 
 TEST_CASE("a case beyond the machine's memory is refused with its numbers") {
-  const std::string message = message_of(with("0.5e-3", "1e-6"));
-  CHECK(
-      message.starts_with("4: grid.cell_size: makes 8.01e+08 nodes and 3.2e+09 particles, which "
-                          "take about 820 GiB; expected no more than this machine's "));
+  rgimp::Case settings = read_text(kRightCase);
+  settings.grid.cell_size = 1e-5;
+  const double gibibyte = 1024.0 * 1024.0 * 1024.0;
+  CHECK_NOTHROW(rgimp::check_amount(settings, 9.0 * gibibyte));
+  CHECK_THROWS_WITH(rgimp::check_amount(settings, 4.0 * gibibyte),
+                    Catch::EndsWith("4: grid.cell_size: makes 8.07e+06 nodes and 3.2e+07 "
+                                    "particles, which take about 8 GiB; expected no more than this "
+                                    "machine's 4 GiB"));
 }
 
 TEST_CASE("a contact between two nodes is refused") {
