@@ -117,9 +117,7 @@ std::string describe_grid(const Facts& facts, const Case& settings) {
 void run(const RunArguments& arguments) {
   RunOptions options;
   options.directory = arguments.directory.value_or(arguments.input.file.stem());
-  if (arguments.existing == ExistingDirectory::replace) {
-    options.existing = ExistingOutput::replace;
-  }
+  options.existing = arguments.existing;
   Simulation simulation(load(arguments.input));
   const bool quiet = arguments.verbosity == Verbosity::quiet;
   ProgressDisplay display;
