@@ -48,8 +48,7 @@ std::string format_summary(const Summary& summary) {
 }
 
 double energy_error(const HistoryRow& first, const HistoryRow& last, double largest_work) {
-  const double scale =
-      largest_work > 0.0 ? largest_work : std::max(first.kinetic_energy, first.strain_energy);
+  const double scale = std::max({largest_work, first.kinetic_energy, first.strain_energy});
   return scale > 0.0 ? (residual(last) - residual(first)) / scale : 0.0;
 }
 

@@ -30,8 +30,8 @@ struct Summary {
 std::string format_summary(const Summary& summary);
 
 /// The energy that the books miss at `last` beyond what `first`, the row of step 0, holds already,
-/// over the largest work of the platens and body force; where no work was done, over the largest
-/// energy of `first`; 0 where there is none either.
+/// over the largest work of the platens and body force or the largest energy of `first`, whichever
+/// is larger; 0 where there is neither.
 double energy_error(const HistoryRow& first, const HistoryRow& last, double largest_work);
 
 }  // namespace rgimp

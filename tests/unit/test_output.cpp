@@ -144,7 +144,9 @@ TEST_CASE("energy a specimen starts with is no error") {
   HistoryRow end;
   end.kinetic_energy = 5.0;
   end.strain_energy = 1.0;
-  CHECK(energy_error(start, end, 0.0) == Approx(0.25));  // no work: of the energy at the start
+  CHECK(energy_error(start, end, 0.0) == Approx(0.25));
+  CHECK(energy_error(start, end, 1e-18) == Approx(0.25));  // what round-off works is no scale
+  CHECK(energy_error(start, end, 20.0) == Approx(0.1));
   end.external_work = -2.0;
   CHECK(energy_error(start, end, 2.0) == Approx(0.0).margin(1e-15));
   CHECK(energy_error(HistoryRow{}, end, 0.0) == 0.0);
