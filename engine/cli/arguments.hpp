@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "rgimp/run.hpp"
+
 namespace rgimp::cli {
 
 /// What the command line says of a case: the file and what to change in it.
@@ -16,13 +18,12 @@ struct CaseArguments {
   std::optional<int> threads;
 };
 
-enum class ExistingDirectory { refuse, replace };
 enum class Verbosity { quiet, normal };
 
 struct RunArguments {
   CaseArguments input;
   std::optional<std::filesystem::path> directory;  ///< none: named after the case file
-  ExistingDirectory existing = ExistingDirectory::refuse;
+  ExistingOutput existing = ExistingOutput::refuse;
   Verbosity verbosity = Verbosity::normal;
 };
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "format.hpp"
@@ -105,6 +107,19 @@ double time_steps(Simulation& simulation) {
          static_cast<double>(std::max<std::int64_t>(1, simulation.steps_done() - first));
 }
 
+/// Of the first step, at the largest speed along an axis that the case gives bodies and platens.
+double critical_step_ratio(const Simulation& simulation) {
+  const Case& settings = simulation.settings();
+  double speed = 0.0;
+  for (const Body& body : settings.bodies) {
+    speed = std::max(speed, body.velocity.cwiseAbs().maxCoeff());
+  }
+  for (const Platen& platen : settings.platens) {
+    speed = std::max(speed, std::abs(platen.speed));
+  }
+  return simulation.critical_step_ratio() + simulation.facts().dt * speed / settings.grid.cell_size;
+}
+
 std::string describe_grid(const Facts& facts, const Case& settings) {
   const auto& nodes = facts.nodes;
   const std::string depth = settings.dimension == 3 ? fmt::format(" x {}", nodes[2]) : "";
@@ -117,9 +132,7 @@ std::string describe_grid(const Facts& facts, const Case& settings) {
 void run(const RunArguments& arguments) {
   RunOptions options;
   options.directory = arguments.directory.value_or(arguments.input.file.stem());
-  if (arguments.existing == ExistingDirectory::replace) {
-    options.existing = ExistingOutput::replace;
-  }
+  options.existing = arguments.existing;
   Simulation simulation(load(arguments.input));
   const bool quiet = arguments.verbosity == Verbosity::quiet;
   ProgressDisplay display;
@@ -146,17 +159,18 @@ void check(const CaseArguments& arguments) {
   Simulation simulation(load(arguments));
   const Facts facts = simulation.facts();
   const Case& settings = simulation.settings();
-  const double step_seconds = time_steps(simulation);
   const auto total = static_cast<double>(facts.total_steps);
   print_line("case", settings.title.empty() ? arguments.file.string() : settings.title);
   print_line("particles", with_separators(static_cast<std::int64_t>(facts.particles)));
   print_line("grid", describe_grid(facts, settings));
   print_line("time step", fmt::format("{:.6g} s, {:.4f} of the critical step (dt/dt_cr)", facts.dt,
-                                      simulation.critical_step_ratio()));
+                                      critical_step_ratio(simulation)));
   print_line("steps", fmt::format("{}, {:.4g} s simulated", with_separators(facts.total_steps),
                                   total * facts.dt));
   print_line("memory", format_bytes(facts.memory_bytes));
   print_line("machine", fmt::format("{}, {} threads", facts.isa, facts.threads));
+  std::fflush(stdout);  // for the physics may stop the steps
+  const double step_seconds = time_steps(simulation);
   if (step_seconds > 0.0) {
     print_line("speed", describe_speed(static_cast<double>(facts.particles) / step_seconds));
     print_line("estimated time", format_duration(total * step_seconds));

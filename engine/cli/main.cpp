@@ -64,7 +64,7 @@ void add_run(CLI::App& app, RunArguments& arguments) {
                    "Output directory, the case file's name without its ending by default")
       ->type_name("DIR");
   command->add_flag_callback(
-      "--force", [&arguments] { arguments.existing = ExistingDirectory::replace; },
+      "--force", [&arguments] { arguments.existing = rgimp::ExistingOutput::replace; },
       "Replace the results in an output directory that is not empty; other files in it stay");
   command->add_flag_callback(
       "--quiet", [&arguments] { arguments.verbosity = Verbosity::quiet; },

@@ -1,11 +1,14 @@
 #include "case_check.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "case_error.hpp"
 #include "case_names.hpp"
 #include "nearest_name.hpp"
 #include "rgimp/case_file.hpp"
+#include "time_step.hpp"
 
 namespace rgimp {
 
@@ -52,6 +55,7 @@ namespace {
 
 constexpr int kFewestParticlesPerCell = 2;
 constexpr int kMostParticlesPerCell = 4;
+constexpr int kMostThreads = 1024;  // more is a slip of the pen
 
 void check_body_size(const ValueChecker& check, const std::string& path, const Body& body) {
   const std::string key = path + ".size";
@@ -168,13 +172,32 @@ void check_forces(const Case& settings) {
   check.planar("body_force.acceleration", settings.body_acceleration);
 }
 
-/// What is accepted but does less than it says.
-std::vector<std::string> warnings_of_output(const Case& settings) {
-  if (!settings.output.checkpoint_every) {
-    return {};
+void check_threads(const Case& settings) {
+  const ValueChecker check(settings);
+  if (settings.threads < 0 || settings.threads > kMostThreads) {
+    check.refuse("tuning.threads", fmt::format("is {}; expected 0, for all, or up to {}",
+                                               settings.threads, kMostThreads));
   }
-  return {complaint(settings.source, "output.checkpoint_every",
-                    "has no effect; this version does not write checkpoints yet")};
+}
+
+/// What is accepted but does less than it says.
+std::vector<std::string> warn_of_output(const Case& settings) {
+  std::vector<std::string> warnings;
+  const OutputSettings& output = settings.output;
+  const auto last = static_cast<std::int64_t>(total_steps(settings));
+  std::vector<std::int64_t> beyond;
+  std::copy_if(output.snapshot_steps.begin(), output.snapshot_steps.end(),
+               std::back_inserter(beyond), [last](std::int64_t step) { return step > last; });
+  if (!beyond.empty()) {
+    warnings.push_back(complaint(
+        settings.source, "output.snapshot_steps",
+        fmt::format("no snapshot of {}; the last step is {}", fmt::join(beyond, ", "), last)));
+  }
+  if (output.checkpoint_every) {
+    warnings.push_back(complaint(settings.source, "output.checkpoint_every",
+                                 "has no effect; this version does not write checkpoints yet"));
+  }
+  return warnings;
 }
 
 }  // namespace
@@ -198,13 +221,10 @@ std::vector<std::string> check_case(const Case& settings) {
   check_platens(settings);
   check_time(settings);
   check_forces(settings);
-  if (settings.threads < 0) {
-    refuse(settings.source, "tuning.threads",
-           fmt::format("is {}; expected 0, for all, or more", settings.threads));
-  }
+  check_threads(settings);
   check_grid(settings);
   std::vector<std::string> warnings = check_bodies_and_flaws(settings);
-  for (std::string& warning : warnings_of_output(settings)) {
+  for (std::string& warning : warn_of_output(settings)) {
     warnings.push_back(std::move(warning));
   }
   return warnings;

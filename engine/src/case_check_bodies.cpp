@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "case_check.hpp"
 #include "case_error.hpp"
@@ -102,6 +103,27 @@ bool is_oblique(const Flaw& slot) {
   return std::abs(quarters - std::round(quarters)) * 90.0 > kAngleTolerance;
 }
 
+/// Particles fill a box from its lower corner and end up to half a pitch off its upper edge.
+std::vector<std::string> warn_of_uneven_boxes(const Case& settings) {
+  std::vector<std::string> warnings;
+  for (std::size_t i = 0; i < settings.bodies.size(); ++i) {
+    const Body& body = settings.bodies[i];
+    const double pitch = settings.grid.cell_size / body.particles_per_cell;
+    for (int axis = 0; axis < 2 && body.shape == BodyShape::box; ++axis) {
+      const double pitches = body.size[axis] / pitch;
+      if (std::abs(pitches - std::round(pitches)) > kGridTolerance) {
+        warnings.push_back(complaint(
+            settings.source, fmt::format("body[{}].size[{}]", i, axis),
+            fmt::format("is {} m, {:.6g} particles of {:.6g} m; whole numbers of particles make "
+                        "{:.6g} or {:.6g} m",
+                        body.size[axis], pitches, pitch, std::floor(pitches) * pitch,
+                        std::ceil(pitches) * pitch)));
+      }
+    }
+  }
+  return warnings;
+}
+
 std::vector<std::string> warn_of_oblique_slots(const Case& settings) {
   std::vector<std::string> warnings;
   const double cell = settings.grid.cell_size;
@@ -143,7 +165,11 @@ std::vector<std::string> check_bodies_and_flaws(const Case& settings) {
     check_flaw_place(settings, path, settings.flaws[i]);
   }
   check_particles_left(settings);
-  return warn_of_oblique_slots(settings);
+  std::vector<std::string> warnings = warn_of_uneven_boxes(settings);
+  for (std::string& warning : warn_of_oblique_slots(settings)) {
+    warnings.push_back(std::move(warning));
+  }
+  return warnings;
 }
 
 }  // namespace rgimp

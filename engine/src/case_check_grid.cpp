@@ -1,11 +1,13 @@
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "case_check.hpp"
 #include "case_error.hpp"
 #include "case_names.hpp"
+#include "platen_geometry.hpp"
 #include "shapes.hpp"
 
 namespace rgimp {
@@ -18,7 +20,6 @@ constexpr double kMostParticles = 4294967295.0;  // ids have 32 bits
 constexpr double kBytesPerParticle = 250.0;
 constexpr double kBytesPerNode = 100.0;
 constexpr double kGibibyte = 1024.0 * 1024.0 * 1024.0;
-constexpr double kContactTolerance = 1e-9;  // m, as platens take the nodes of their half width
 
 double machine_memory() {
   return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
@@ -38,29 +39,6 @@ double count_lattice_points(const Case& settings) {
     points += pitches.x() * pitches.y();
   }
   return points;
-}
-
-/// In real numbers, for what is refused here need not fit an integer.
-void check_amount(const Case& settings) {
-  const double nodes = count_nodes(settings);
-  const double particles = count_lattice_points(settings);
-  const ValueChecker check(settings);
-  if (!(nodes <= kMostNodes)) {
-    check.refuse("grid.cell_size",
-                 fmt::format("makes {:.3g} nodes; expected at most {:.0f}", nodes, kMostNodes));
-  }
-  if (!(particles <= kMostParticles)) {
-    check.refuse("grid.cell_size", fmt::format("makes {:.3g} particles; expected at most {:.0f}",
-                                               particles, kMostParticles));
-  }
-  const double bytes = nodes * kBytesPerNode + particles * kBytesPerParticle;
-  if (bytes > machine_memory()) {
-    check.refuse(
-        "grid.cell_size",
-        fmt::format("makes {:.3g} nodes and {:.3g} particles, which take about {:.0f} GiB; "
-                    "expected no more than this machine's {:.0f} GiB",
-                    nodes, particles, bytes / kGibibyte, machine_memory() / kGibibyte));
-  }
 }
 
 void check_margin(const Case& settings, const GridExtent& extent) {
@@ -87,69 +65,65 @@ void check_margin(const Case& settings, const GridExtent& extent) {
   }
 }
 
-/// The end of the bodies that a platen touches, along its axis.
-struct Contact {
-  Eigen::Index axis;
-  double end;       // m
-  double opposite;  // m
-};
-
-Contact contact_of(Side side, const Box& bodies) {
-  switch (side) {
-    case Side::top:
-      return {1, bodies.max.y(), bodies.min.y()};
-    case Side::bottom:
-      return {1, bodies.min.y(), bodies.max.y()};
-    case Side::left:
-      return {0, bodies.min.x(), bodies.max.x()};
-    case Side::right:
-      return {0, bodies.max.x(), bodies.min.x()};
-  }
-  return {};
-}
-
 void check_on_grid_line(const Case& settings, const GridExtent& extent, std::size_t index) {
-  const Side side = settings.platens[index].side;
-  const Contact contact = contact_of(side, bounds(settings));
-  const double cells = (contact.end - extent.origin[contact.axis]) / extent.cell_size;
+  const PlatenContact contact(settings.platens[index], bounds(settings));
+  const int axis = contact.side.axis;
+  const double cells = (contact.end - extent.origin[axis]) / extent.cell_size;
   if (std::abs(cells - std::round(cells)) <= kGridTolerance) {
     return;
   }
   const auto size_to_line = [&](double line) {
-    return std::abs(extent.origin[contact.axis] + line * extent.cell_size - contact.opposite);
+    return std::abs(extent.origin[axis] + line * extent.cell_size - contact.opposite);
   };
   const double one = size_to_line(std::floor(cells));
   const double other = size_to_line(std::ceil(cells));
-  const bool vertical = contact.axis == 1;
   refuse(settings.source, fmt::format("platen[{}].side", index),
          fmt::format("the bodies' {} end at {} = {:.6g} m is not on a grid line; expected a {} of "
                      "{:.6g} or {:.6g} m",
-                     name_of(side), vertical ? "y" : "x", contact.end,
-                     vertical ? "height" : "width", std::min(one, other), std::max(one, other)));
+                     name_of(settings.platens[index].side), axis == 1 ? "y" : "x", contact.end,
+                     axis == 1 ? "height" : "width", std::min(one, other), std::max(one, other)));
 }
 
 /// A contact narrower than a cell may lie between two nodes and press on nothing.
 void check_contact_nodes(const Case& settings, const GridExtent& extent, std::size_t index) {
-  const Platen& platen = settings.platens[index];
-  if (!platen.half_width) {
-    return;
-  }
-  const Box bodies = bounds(settings);
-  const Eigen::Index across = 1 - contact_of(platen.side, bodies).axis;
-  const double center = 0.5 * (bodies.min[across] + bodies.max[across]);
-  const double cells = (center - extent.origin[across]) / extent.cell_size;
-  const double to_node = std::abs(cells - std::round(cells)) * extent.cell_size;
-  if (to_node > *platen.half_width + kContactTolerance) {
+  const PlatenContact contact(settings.platens[index], bounds(settings));
+  const double origin = extent.origin[contact.across];
+  const double cells = (contact.center - origin) / extent.cell_size;
+  const double nearest = origin + std::round(cells) * extent.cell_size;
+  if (!contact.holds(nearest)) {
     refuse(settings.source, fmt::format("platen[{}].half_width", index),
            fmt::format("is {}, within which no grid node lies; expected at least {:.6g}",
-                       *platen.half_width, to_node));
+                       *contact.half_width, std::abs(nearest - contact.center)));
   }
 }
 
 }  // namespace
 
+// In real numbers, for what is refused here need not fit an integer.
+void check_amount(const Case& settings, double machine_bytes) {
+  const double nodes = count_nodes(settings);
+  const double particles = count_lattice_points(settings);
+  const ValueChecker check(settings);
+  if (!(nodes <= kMostNodes)) {
+    check.refuse("grid.cell_size",
+                 fmt::format("makes {:.3g} nodes; expected at most {:.0f}", nodes, kMostNodes));
+  }
+  if (!(particles <= kMostParticles)) {
+    check.refuse("grid.cell_size", fmt::format("makes {:.3g} particles; expected at most {:.0f}",
+                                               particles, kMostParticles));
+  }
+  const double bytes = nodes * kBytesPerNode + particles * kBytesPerParticle;
+  if (bytes > machine_bytes) {
+    check.refuse(
+        "grid.cell_size",
+        fmt::format("makes {:.3g} nodes and {:.3g} particles, which take about {:.0f} GiB; "
+                    "expected no more than this machine's {:.0f} GiB",
+                    nodes, particles, bytes / kGibibyte, machine_bytes / kGibibyte));
+  }
+}
+
 void check_grid(const Case& settings) {
-  check_amount(settings);
+  check_amount(settings, machine_memory());
   const GridExtent extent = grid_extent(settings);
   check_margin(settings, extent);
   for (std::size_t i = 0; i < settings.platens.size(); ++i) {

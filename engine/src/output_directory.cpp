@@ -42,7 +42,7 @@ bool is_one_of(const fs::path& file, const std::array<std::string_view, Count>& 
 
 bool is_top_file(const fs::path& file) {
   constexpr std::array<std::string_view, 3> names{"case.toml", "history.csv", "summary.json"};
-  return is_one_of(file, names) || final_name(file).starts_with("checkpoint");
+  return is_one_of(file, names);
 }
 
 /// What rgimp-plot draws: beside new results, pictures of the replaced ones would mislead.
@@ -54,7 +54,7 @@ bool is_picture(const fs::path& file) {
 
 bool is_snapshot_file(const fs::path& file) {
   const std::string name = final_name(file);
-  return name == kSeries || (name.starts_with("step_") && name.ends_with(".vtkhdf"));
+  return name == kSeries || is_snapshot_name(name);
 }
 
 template <typename Choice>

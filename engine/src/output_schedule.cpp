@@ -17,6 +17,7 @@ OutputSchedule::OutputSchedule(const OutputSettings& settings, std::int64_t tota
       history_every_(settings.history_every),
       snapshot_every_(settings.snapshot_every),
       snapshot_steps_(settings.snapshot_steps) {
+  std::erase_if(snapshot_steps_, [total_steps](std::int64_t step) { return step > total_steps; });
   std::sort(snapshot_steps_.begin(), snapshot_steps_.end());
 }
 

@@ -1,24 +1,9 @@
 #include "platens.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 
 namespace rgimp {
-
-PlatenAxis axis_of(Side side) {
-  switch (side) {
-    case Side::left:
-      return {0, 1.0};
-    case Side::right:
-      return {0, -1.0};
-    case Side::bottom:
-      return {1, 1.0};
-    case Side::top:
-      return {1, -1.0};
-  }
-  return {1, -1.0};
-}
 
 double platen_speed(const Platen& platen, double time) {
   if (time >= platen.ramp) {
@@ -66,19 +51,14 @@ Platens<Dim>::Platens(const Case& settings, Grid<Dim>& grid)
 
 template <int Dim>
 void Platens<Dim>::constrain_nodes(std::size_t platen, const Box& specimen, const Grid<Dim>& grid) {
-  constexpr double kContactTolerance = 1e-9;  // m, nodes on the edge of the half width are in
   const Platen& p = settings_[platen];
-  const PlatenAxis side = axis_of(p.side);
-  const double end = side.towards < 0.0 ? specimen.max[side.axis] : specimen.min[side.axis];
+  const PlatenContact contact(p, specimen);
+  const PlatenAxis side = contact.side;
   const double slack = 1e-6 * grid.extent().cell_size;
-  const int across = side.axis == 0 ? 1 : 0;
-  const double centre = 0.5 * (specimen.min[across] + specimen.max[across]);
   for (std::ptrdiff_t node = 0; node < grid.rows() * grid.row_stride(); ++node) {
     const Vector x = grid.position(node);
-    const bool beyond = (end - x[side.axis]) * side.towards >= -slack;
-    const bool touched =
-        !p.half_width || std::abs(x[across] - centre) <= *p.half_width + kContactTolerance;
-    if (!beyond || !touched) {
+    const bool beyond = (contact.end - x[side.axis]) * side.towards >= -slack;
+    if (!beyond || !contact.holds(x[contact.across])) {
       continue;
     }
     for (int a = 0; a < Dim; ++a) {

@@ -4,17 +4,10 @@
 #include <vector>
 
 #include "grid.hpp"
+#include "platen_geometry.hpp"
 #include "rgimp/case.hpp"
 
 namespace rgimp {
-
-/// Which way a platen moves and looks.
-struct PlatenAxis {
-  int axis;        ///< 0 x, 1 y
-  double towards;  ///< +1 or -1: direction of travel towards the specimen along the axis
-};
-
-PlatenAxis axis_of(Side side);
 
 /// Smooth step from 0 to `speed` over `ramp`, m/s towards the specimen.
 double platen_speed(const Platen& platen, double time);

@@ -40,6 +40,7 @@ class Recorder {
         history_(directory.history_file()) {}
 
   const OutputSchedule& schedule() const { return schedule_; }
+  const HistoryRow& first_row() const { return first_row_; }
   const HistoryRow& last_row() const { return last_row_; }
   double largest_work() const { return largest_work_; }
 
@@ -71,6 +72,9 @@ class Recorder {
     last_row_ = simulation_.history();
     largest_work_ = std::max(largest_work_, std::abs(last_row_.external_work));
     history_.append(last_row_);
+    if (!history_step_) {
+      first_row_ = last_row_;
+    }
     history_step_ = last_row_.step;
   }
 
@@ -85,6 +89,7 @@ class Recorder {
   OutputDirectory& directory_;
   OutputSchedule schedule_;
   HistoryFile history_;
+  HistoryRow first_row_;
   HistoryRow last_row_;
   std::optional<std::int64_t> history_step_;
   std::vector<SnapshotTime> snapshots_;
@@ -156,7 +161,7 @@ Summary summarize(const Simulation& simulation, const StepLoop& loop, const Reco
   summary.failed_tension = row.failed_tension;
   summary.failed_shear = row.failed_shear;
   summary.peak_axial_stress = simulation.peak_axial_stress();
-  summary.energy_error = energy_error(row, recorder.largest_work());
+  summary.energy_error = energy_error(recorder.first_row(), row, recorder.largest_work());
   summary.state_hash = simulation.state_hash();
   return summary;
 }

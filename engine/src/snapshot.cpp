@@ -73,6 +73,19 @@ std::string snapshot_name(std::int64_t step) {
   return fmt::format("step_{:09}.vtkhdf", step);
 }
 
+bool is_snapshot_name(std::string_view name) {
+  constexpr std::string_view prefix = "step_";
+  constexpr std::string_view suffix = ".vtkhdf";
+  constexpr std::size_t fewest_digits = 9;
+  if (name.size() < prefix.size() + fewest_digits + suffix.size() || !name.starts_with(prefix) ||
+      !name.ends_with(suffix)) {
+    return false;
+  }
+  name.remove_prefix(prefix.size());
+  name.remove_suffix(suffix.size());
+  return name.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 void write_snapshot(const std::filesystem::path& path, const ParticleTable& particles,
                     const SnapshotTime& when) {
   const Hdf5Image image;

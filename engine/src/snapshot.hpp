@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "rgimp/simulation.hpp"
@@ -17,6 +18,7 @@ struct SnapshotTime {
 
 /// "step_000005000.vtkhdf"
 std::string snapshot_name(std::int64_t step);
+bool is_snapshot_name(std::string_view name);
 
 /// Writes the particles as a VTKHDF 1.0 unstructured grid of vertices, which VTK >= 9.1 and
 /// ParaView >= 5.10 open, and any HDF5 reader. Throws FileError; then no file is left.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace rgimp {
@@ -17,6 +18,12 @@ Json to_json(const FirstFailure& failure) {
           {"axial_stress_Pa", failure.axial_stress},
           {"position_m", {at.x(), at.y(), at.z()}},
           {"mode", failure.mode == FailureMode::tension ? "tension" : "shear"}};
+}
+
+/// Work that is neither stored nor spent, J.
+double residual(const HistoryRow& row) {
+  return row.external_work - row.kinetic_energy - row.strain_energy - row.damping_work -
+         row.viscous_work - row.released_energy;
 }
 
 }  // namespace
@@ -40,13 +47,9 @@ std::string format_summary(const Summary& summary) {
   return json.dump(2) + "\n";
 }
 
-double energy_error(const HistoryRow& row, double largest_work) {
-  if (largest_work == 0.0) {
-    return 0.0;
-  }
-  const double spent = row.kinetic_energy + row.strain_energy + row.damping_work +
-                       row.viscous_work + row.released_energy;
-  return (row.external_work - spent) / largest_work;
+double energy_error(const HistoryRow& first, const HistoryRow& last, double largest_work) {
+  const double scale = std::max({largest_work, first.kinetic_energy, first.strain_energy});
+  return scale > 0.0 ? (residual(last) - residual(first)) / scale : 0.0;
 }
 
 }  // namespace rgimp

@@ -29,8 +29,9 @@ struct Summary {
 /// digits, for JSON's numbers hold only 53 bits.
 std::string format_summary(const Summary& summary);
 
-/// The energy that the books miss at `row`, over the largest work of the platens and body force so
-/// far; 0 where no work was done.
-double energy_error(const HistoryRow& row, double largest_work);
+/// The energy that the books miss at `last` beyond what `first`, the row of step 0, holds already,
+/// over the largest work of the platens and body force or the largest energy of `first`, whichever
+/// is larger; 0 where there is neither.
+double energy_error(const HistoryRow& first, const HistoryRow& last, double largest_work);
 
 }  // namespace rgimp

@@ -6,6 +6,9 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
+
+#include "rgimp/case_file.hpp"
 
 /// A small case file that is right, and ways to put a text on disk.
 namespace rgimp::testing {
@@ -71,6 +74,11 @@ class ScratchDirectory {
  private:
   std::filesystem::path path_;
 };
+
+inline Case read_text(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  const ScratchDirectory scratch;
+  return read_case(scratch.write(text), overrides);
+}
 
 /// The right case with its first `from` replaced.
 inline std::string with(const std::string& from, const std::string& to) {

@@ -6,15 +6,10 @@
 namespace {
 
 using rgimp::testing::kRightCase;
-using rgimp::testing::ScratchDirectory;
+using rgimp::testing::read_text;
 using rgimp::testing::with;
 
 const std::filesystem::path kExamples = RGIMP_EXAMPLES;
-
-rgimp::Case read_text(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  const ScratchDirectory scratch;
-  return rgimp::read_case(scratch.write(text), overrides);
-}
 
 /// What is wrong with an override of the right case.
 std::string message_of(const std::string& override) {
@@ -80,111 +75,6 @@ TEST_CASE("lines of keys and tables are known") {
   CHECK(read.source.line.at("platen[1].side") == 29);
 }
 
-TEST_CASE("what is written reads back to the same case") {
-  const std::string everything = R"(title = "quote \" backslash \\ tab \t end"
-[grid]
-cell_size = 0.30000000000000004e-3
-min = [-0.0171, -0.0201]
-max = [0.05, 0.02]
-[[body]]
-shape = "disk"
-center = [0.1e-3, 0.2e-3]
-size = 0.03
-material = "hard rock"
-particles_per_cell = 3
-velocity = [1e-300, -7]
-[[flaw]]
-shape = "circle"
-center = [0.0, 0.0]
-length = 1e-3
-[[flaw]]
-shape = "box"
-center = [3e-3, 0.0]
-size = [1e-3, 2e-3]
-[[flaw]]
-shape = "slot"
-center = [-3e-3, 0.0]
-length = 5e-3
-width = 1e-3
-angle = 33.333333333333336
-ends = "round"
-[material."hard rock"]
-density = 2600
-youngs_modulus = 1e22
-poisson_ratio = 0
-failure = {criterion = "shear-strain", shear_strain = 1e-4, treatment = "pressure-window", pressure_min = -1.5, pressure_max = 2e5}
-[material.soft]
-density = 1
-youngs_modulus = 2
-poisson_ratio = 0.3
-[time]
-duration = 1e-6
-integrator = "usf"
-[damping]
-local = 0.1
-[viscosity]
-quadratic = 0
-linear = 0.1
-[body_force]
-acceleration = [0.0, -9.81]
-[output]
-history_every = 7
-snapshot_every = 3
-snapshot_steps = [1, 2]
-checkpoint_every = 11
-[tuning]
-threads = 2
-)";
-  const rgimp::Case first = read_text(everything);
-  const std::string text = rgimp::write_case(first);
-  const rgimp::Case second = read_text(text);
-  CHECK(rgimp::write_case(second) == text);
-  CHECK(text.find("\nsnapshot_steps = [1, 2]             # besides") != std::string::npos);
-
-  CHECK(second.title == first.title);
-  CHECK(second.title == "quote \" backslash \\ tab \t end");
-  CHECK(second.grid.cell_size == 0.30000000000000004e-3);
-  CHECK(second.grid.min.value() == first.grid.min.value());
-  CHECK(second.grid.max.value() == first.grid.max.value());
-  CHECK(second.bodies.at(0).velocity == rgimp::Vector(1e-300, -7.0, 0.0));
-  CHECK(second.bodies.at(0).particles_per_cell == 3);
-  CHECK(second.bodies.at(0).size == first.bodies.at(0).size);
-  CHECK(second.flaws.at(0).length == 1e-3);
-  CHECK(second.flaws.at(1).size == rgimp::Vector(1e-3, 2e-3, 0.0));
-  CHECK(second.flaws.at(2).ends == rgimp::SlotEnds::round);
-  CHECK(second.flaws.at(2).angle == 33.333333333333336);
-  const rgimp::Material& hard = second.materials.at("hard rock");
-  CHECK(hard.youngs_modulus == 1e22);
-  CHECK(hard.failure->criterion == rgimp::Criterion::shear_strain);
-  CHECK(hard.failure->shear_strain == 1e-4);
-  CHECK(hard.failure->shear_strength == 0.0);
-  CHECK(hard.failure->treatment == rgimp::Treatment::pressure_window);
-  CHECK(hard.failure->pressure_min == -1.5);
-  CHECK_FALSE(second.materials.at("soft").failure.has_value());
-  CHECK(second.platens.empty());
-  CHECK(second.time.duration == 1e-6);
-  CHECK_FALSE(second.time.steps.has_value());
-  CHECK(second.time.integrator == rgimp::Integrator::usf);
-  CHECK(second.quadratic_viscosity == 0.0);
-  CHECK(second.body_acceleration.y() == -9.81);
-  CHECK(second.output.snapshot_steps == std::vector<std::int64_t>{1, 2});
-  CHECK(second.output.checkpoint_every == 11);
-  CHECK(second.threads == 2);
-}
-
-TEST_CASE("the examples survive writing, and defaults are spelt out") {
-  for (const char* name : {"single_flaw.toml", "double_flaw.toml", "brazilian_disk.toml"}) {
-    INFO(name);
-    const rgimp::Case example = rgimp::read_case(kExamples / name);
-    const std::string text = rgimp::write_case(example);
-    CHECK(rgimp::write_case(read_text(text)) == text);
-    CHECK(text.find("integrator = \"musl\"") != std::string::npos);
-    CHECK(text.find("quadratic = 1.5") != std::string::npos);
-    CHECK(text.find("lateral = \"slip\"") != std::string::npos);
-    CHECK(rgimp::check_case(example).empty());
-  }
-}
-
 TEST_CASE("overrides change values before anything is checked") {
   const rgimp::Case read =
       read_text(kRightCase, {"body[0].size=[0.03, 0.05]", "flaw.0.angle=30", "time.integrator=usl",
@@ -240,26 +130,6 @@ TEST_CASE("errors of overrides name the override") {
         "--set body.rock=1: body[rock] does not exist; the array's length is 1");
   CHECK(message_of("grid.cell_size.x=1") ==
         "--set grid.cell_size.x=1: grid.cell_size is a single value and has no \"x\"");
-}
-
-TEST_CASE("warnings are sentences with their place") {
-  const ScratchDirectory scratch;
-  const auto path = scratch.write(with("width = 1.5e-3", "width = 1e-3"));
-  const std::vector<std::string> warnings = rgimp::check_case(
-      rgimp::read_case(path, std::vector<std::string>{"output.checkpoint_every=10"}));
-  REQUIRE(warnings.size() == 2);
-  CHECK(warnings[0] == path.string() +
-                           ":14: flaw[0].width: an oblique slot 2 cells across still carries load "
-                           "(at two cells, 27 % of a 45 degree slot's compliance is missing); "
-                           "better three cells, 0.0015 m");
-  CHECK(warnings[1] ==
-        "--set output.checkpoint_every=10: output.checkpoint_every: has no effect; "
-        "this version does not write checkpoints yet");
-
-  // Along a grid line two cells are enough.
-  for (const char* angle : {"flaw[0].angle=0", "flaw[0].angle=90", "flaw[0].angle=-180.0"}) {
-    CHECK(rgimp::check_case(rgimp::read_case(path, std::vector<std::string>{angle})).empty());
-  }
 }
 
 TEST_CASE("a case built in code is checked under the names of its keys") {

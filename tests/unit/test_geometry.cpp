@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "geometry.hpp"
+#include "platen_geometry.hpp"
 #include "rgimp/rgimp.hpp"
 #include "shapes.hpp"
 
@@ -200,4 +201,24 @@ TEST_CASE("materials are numbered in the order of their names") {
   CHECK(seeds.front().material == 1);
   CHECK(seeds.back().material == 0);
   CHECK(seeds.back().mass == Approx(2000.0 * 0.25e-6));
+}
+
+TEST_CASE("a platen touches the end on its side, within its half width and no farther") {
+  const rgimp::Box specimen{{-1.0, -2.0, 0.0}, {3.0, 6.0, 0.0}};
+  const rgimp::PlatenContact top({.side = rgimp::Side::top, .half_width = 0.5}, specimen);
+  CHECK(top.end == 6.0);
+  CHECK(top.opposite == -2.0);
+  CHECK(top.side.towards == -1.0);
+  CHECK(top.center == 1.0);
+  CHECK(top.holds(0.5));
+  CHECK(top.holds(1.5 + 1e-10));  // round-off on the contact's edge
+  CHECK_FALSE(top.holds(1.5 + 1e-8));
+
+  const rgimp::PlatenContact left({.side = rgimp::Side::left}, specimen);
+  CHECK(left.end == -1.0);
+  CHECK(left.opposite == 3.0);
+  CHECK(left.side.towards == 1.0);
+  CHECK(left.across == 1);
+  CHECK(left.center == 2.0);
+  CHECK(left.holds(100.0));
 }

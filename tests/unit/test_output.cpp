@@ -38,7 +38,7 @@ std::vector<std::int64_t> stops(const OutputSchedule& schedule, std::int64_t tot
 
 }  // namespace
 
-TEST_CASE("the header of the history is the contract's") {
+TEST_CASE("the history's columns and their order are those that programs rely on") {
   CHECK(kHistoryHeader ==
         "step,time_s,closure_m,axial_stress_Pa,reaction_N,kinetic_energy_J,strain_energy_J,"
         "external_work_J,damping_work_J,viscous_work_J,released_energy_J,failed_tension,"
@@ -96,13 +96,14 @@ TEST_CASE("snapshots follow both their pace and their list") {
   OutputSettings settings;
   settings.history_every = 1000;
   settings.snapshot_every = 40;
-  settings.snapshot_steps = {75, 10, 75, 5000};  // in any order, twice, and past the end
+  settings.snapshot_steps = {75, 10, 75, 5001};  // in any order, twice, and past the end
   const OutputSchedule schedule(settings, 100);
   CHECK(stops(schedule, 100) == std::vector<std::int64_t>{10, 40, 75, 80, 100});
   CHECK(schedule.writes_snapshot(75));
   CHECK(schedule.writes_snapshot(80));
   CHECK_FALSE(schedule.writes_history(75));
   CHECK_FALSE(schedule.writes_snapshot(76));
+  CHECK_FALSE(schedule.writes_snapshot(5001));
 }
 
 TEST_CASE("chunks of steps grow to the pace wanted and shrink again") {
@@ -123,20 +124,35 @@ TEST_CASE("chunks of steps grow to the pace wanted and shrink again") {
 }
 
 TEST_CASE("the energy error is what the books miss over the largest work") {
+  const HistoryRow rest;
   HistoryRow row;
-  CHECK(energy_error(row, 0.0) == 0.0);
   row.external_work = 10.0;
   row.kinetic_energy = 1.0;
   row.strain_energy = 2.0;
   row.damping_work = 3.0;
   row.viscous_work = 1.5;
   row.released_energy = 1.5;
-  CHECK(energy_error(row, 20.0) == Approx(0.05));
+  CHECK(energy_error(rest, row, 20.0) == Approx(0.05));
   row.kinetic_energy = 3.0;
-  CHECK(energy_error(row, 20.0) == Approx(-0.05));
+  CHECK(energy_error(rest, row, 20.0) == Approx(-0.05));
 }
 
-TEST_CASE("the summary has the contract's keys") {
+TEST_CASE("energy a specimen starts with is no error") {
+  HistoryRow start;
+  start.kinetic_energy = 8.0;
+  CHECK(energy_error(start, start, 0.0) == 0.0);
+  HistoryRow end;
+  end.kinetic_energy = 5.0;
+  end.strain_energy = 1.0;
+  CHECK(energy_error(start, end, 0.0) == Approx(0.25));
+  CHECK(energy_error(start, end, 1e-18) == Approx(0.25));  // what round-off works is no scale
+  CHECK(energy_error(start, end, 20.0) == Approx(0.1));
+  end.external_work = -2.0;
+  CHECK(energy_error(start, end, 2.0) == Approx(0.0).margin(1e-15));
+  CHECK(energy_error(HistoryRow{}, end, 0.0) == 0.0);
+}
+
+TEST_CASE("the summary's keys and their order are those that programs rely on") {
   Summary summary;
   summary.particles = 4;
   summary.steps = 9;

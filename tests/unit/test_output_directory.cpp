@@ -63,13 +63,22 @@ TEST_CASE("replacing deletes our own files and no others") {
                      "history.csv",
                      "summary.json",
                      "summary.json.tmp",
-                     "checkpoint_1.h5",
                      "pictures/crack.png",
                      "snapshots/step_000000000.vtkhdf",
                      "snapshots/step_000000100.vtkhdf.tmp",
+                     "snapshots/step_1234567890.vtkhdf",
                      "snapshots/snapshots.vtkhdf.series"};
-  const auto others = {"notes.txt", "history.csv.bak", "pictures/photo.png", "crack.png",
-                       "snapshots/view.pvsm"};
+  const auto others = {"notes.txt",
+                       "history.csv.bak",
+                       "checkpoint_1.h5",
+                       "pictures/photo.png",
+                       "crack.png",
+                       "snapshots/view.pvsm",
+                       "snapshots/step_.vtkhdf",
+                       "snapshots/step_00000100.vtkhdf",
+                       "snapshots/step_000000100_smoothed.vtkhdf",
+                       "snapshots/step_000000100.vtkhdf.old",
+                       "snapshots/my_step_000000100.vtkhdf"};
   for (const std::string name : ours) {
     write_text(temporary / name, "");
   }

@@ -1,11 +1,13 @@
 #include <catch2/catch.hpp>
 
+#include "case_check.hpp"
 #include "case_text.hpp"
 #include "rgimp/rgimp.hpp"
 
 namespace {
 
 using rgimp::testing::kRightCase;
+using rgimp::testing::read_text;
 using rgimp::testing::ScratchDirectory;
 using rgimp::testing::with;
 
@@ -163,7 +165,7 @@ TEST_CASE("values out of range are refused") {
        "26: material.rock.failure.pressure_min: is 1; expected 0 or less"},
       {kFailure,
        kFailure + "treatment = \"pressure-window\"\npressure_min = -1\npressure_max = -2\n",
-       "27: material.rock.failure.pressure_max: is -2; expected at least pressure_min, -1"},
+       "27: material.rock.failure.pressure_max: is -2; expected 0 or more"},
       {"width = 1.5e-3", "width = 7e-3",
        "13: flaw[0].length: is 0.006; expected at least the "
        "width, 0.007"},
@@ -192,7 +194,8 @@ TEST_CASE("time, forces and output out of range are refused") {
        "32: time.duration: takes 5.23478e+10 steps of 1.9103e-08 s; "
        "expected at most 2147483647"},
       {last, last + "\nstep_factor = 0", "33: time.step_factor: is 0; expected a number above 0"},
-      {last, last + "\nstep_factor = 1.5", "33: time.step_factor: is 1.5; expected at most 1"},
+      {last, last + "\nstep_factor = 1", "33: time.step_factor: is 1; expected less than 1"},
+      {last, last + "\nstep_factor = 0.999", "accepted"},
       {last, last + "\n[damping]\nlocal = 1.0",
        "34: damping.local: is 1; expected 0 or more and less than 1"},
       {last, last + "\n[viscosity]\nlinear = -1",
@@ -201,12 +204,16 @@ TEST_CASE("time, forces and output out of range are refused") {
        "34: output.history_every: is 0; expected 1 or more"},
       {last, last + "\n[output]\nsnapshot_every = 0",
        "34: output.snapshot_every: is 0; expected 1 or more"},
-      {last, last + "\n[output]\nsnapshot_steps = [0, 1001]",
-       "34: output.snapshot_steps[1]: is 1001; expected a step from 0 to the last, 1000"},
+      {last, last + "\n[output]\nsnapshot_steps = [0, -1]",
+       "34: output.snapshot_steps[1]: is -1; expected 0 or more"},
+      {last, last + "\n[output]\nsnapshot_steps = [1001]", "accepted"},
       {last, last + "\n[output]\ncheckpoint_every = -5",
        "34: output.checkpoint_every: is -5; expected 1 or more"},
       {last, last + "\n[tuning]\nthreads = -1",
-       "34: tuning.threads: is -1; expected 0, for all, or more"},
+       "34: tuning.threads: is -1; expected 0, for all, or up to 1024"},
+      {last, last + "\n[tuning]\nthreads = 1025",
+       "34: tuning.threads: is 1025; expected 0, for all, or up to 1024"},
+      {last, last + "\n[tuning]\nthreads = 1024", "accepted"},
   });
 }
 
@@ -240,6 +247,8 @@ TEST_CASE("bodies, flaws and platens that do not fit are refused") {
       {"cell_size = 0.5e-3", "cell_size = 0.5e-3\nmin = [-15e-3, -25.2e-3]",
        "27: platen[0].side: the bodies' top end at y = 0.02 m is not on a grid line; expected a "
        "height of 0.0398 or 0.0403 m"},
+      {"0.5e-3\n[[body]]", "1e-6\n[[body]]\nparticles_per_cell = 4",
+       "4: grid.cell_size: makes 1.28e+10 particles; expected at most 4294967295"},
       {"0.5e-3", "1e-9", "4: grid.cell_size: makes 8e+14 nodes; expected at most 2147483648"},
       {"speed = 0.005",
        "speed = 0.005\nhalf_width = 0.1e-3\n[[platen]]\nside = \"left\"\nspeed = 0", "accepted"},
@@ -248,10 +257,14 @@ TEST_CASE("bodies, flaws and platens that do not fit are refused") {
 }
 
 TEST_CASE("a case beyond the machine's memory is refused with its numbers") {
-  const std::string message = message_of(with("0.5e-3", "1e-6"));
-  CHECK(
-      message.starts_with("4: grid.cell_size: makes 8.01e+08 nodes and 3.2e+09 particles, which "
-                          "take about 820 GiB; expected no more than this machine's "));
+  rgimp::Case settings = read_text(kRightCase);
+  settings.grid.cell_size = 1e-5;
+  const double gibibyte = 1024.0 * 1024.0 * 1024.0;
+  CHECK_NOTHROW(rgimp::check_amount(settings, 9.0 * gibibyte));
+  CHECK_THROWS_WITH(rgimp::check_amount(settings, 4.0 * gibibyte),
+                    Catch::EndsWith("4: grid.cell_size: makes 8.07e+06 nodes and 3.2e+07 "
+                                    "particles, which take about 8 GiB; expected no more than this "
+                                    "machine's 4 GiB"));
 }
 
 TEST_CASE("a contact between two nodes is refused") {

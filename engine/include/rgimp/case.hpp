@@ -73,7 +73,7 @@ struct Failure {
   double shear_strain = 0.0;      ///< 1, shear_strain
   Treatment treatment = Treatment::no_tension;
   double pressure_min = 0.0;  ///< Pa, <= 0 (tension), pressure_window only
-  double pressure_max = 0.0;  ///< Pa, pressure_window only
+  double pressure_max = 0.0;  ///< Pa, >= 0, pressure_window only
 };
 
 struct Material {
@@ -92,8 +92,8 @@ struct Platen {
   double speed = 0.0;               ///< m/s, towards the specimen; negative pulls, 0 holds
   double ramp = 0.0;                ///< s, smooth step from rest to `speed`
   Lateral lateral = Lateral::slip;  ///< stick: the other components are zero
-  std::optional<double> half_width =
-      std::nullopt;  ///< m, contact only within it of the bodies' centre
+  /// m, contact only within it of the bodies' centre; none: the whole end
+  std::optional<double> half_width = std::nullopt;
 };
 
 enum class Integrator { musl, usl, usf };
@@ -102,7 +102,7 @@ enum class Integrator { musl, usl, usf };
 struct TimeSettings {
   std::optional<std::int64_t> steps;
   std::optional<double> duration;  ///< s
-  double step_factor = 0.1;        ///< alpha of Eq. 24, 0 < alpha <= 1
+  double step_factor = 0.1;        ///< alpha of Eq. 24, 0 < alpha < 1
   Integrator integrator = Integrator::musl;
 };
 
@@ -135,7 +135,7 @@ struct Case {
   double linear_viscosity = 0.06;             ///< 1, c1 of the bulk viscosity
   Vector body_acceleration = Vector::Zero();  ///< m/s2
   OutputSettings output;
-  int threads = 0;  ///< 0: all the machine has; never changes a bit
+  int threads = 0;  ///< up to 1024; 0: all the machine has; never changes a bit
   CaseSource source;
 };
 

@@ -18,7 +18,8 @@ Case read_case(const std::filesystem::path& path, std::span<const std::string> o
 /// Throws CaseError for a case that cannot be run: values out of range, a material that does not
 /// exist, bodies that overlap, a flaw outside every body, a slot under two cells across, a platen
 /// off the grid lines, no particle left. Returns warnings, a sentence each (an oblique slot under
-/// three cells across still carries load).
+/// three cells across still carries load; a box's edge is not a whole number of particles; a
+/// snapshot is listed past the last step).
 std::vector<std::string> check_case(const Case& settings);
 
 /// The case as a complete TOML text, defaults included, which read_case reads back to the same

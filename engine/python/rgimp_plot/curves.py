@@ -78,13 +78,15 @@ def draw_energy(result):
 
 
 def energy_error(history):
-    others = sum(history[column] for column, *_ in ENERGIES[1:])
-    residual = history["external_work_J"] - others
-    reference, name = np.nanmax(np.abs(history["external_work_J"])), "largest work"
-    if reference == 0:
-        reference, name = np.nanmax(np.abs(others)), "largest energy (no work is done)"
+    work = np.abs(history["external_work_J"])
+    reference, name = work[np.isfinite(work)].max(initial=0.0), "largest work"
+    start = max(history[column][0] for column, *_ in ENERGIES[1:])
+    if start > reference:
+        reference, name = start, "largest energy at the start"
     if reference == 0:
         reference, name = 1.0, "1 J/m (all energies are zero)"
+    with np.errstate(invalid="ignore"):  # the last row of a run that the physics stopped
+        residual = history["external_work_J"] - sum(history[column] for column, *_ in ENERGIES[1:])
     return (residual - residual[0]) / reference, name
 
 

@@ -27,7 +27,9 @@ class OutputError(Exception):
 
 @dataclass
 class Snapshot:
+    """Particles that can be drawn; a run that the physics stopped may have others at its end."""
     step: int
+    left_out: int  # particles whose position or stress is not a finite number
     position: np.ndarray  # m, (n, 2)
     max_principal_stress: np.ndarray  # Pa
     failed: np.ndarray
@@ -164,9 +166,9 @@ def read_snapshot(path, step):
         if column.shape != (len(position),):
             raise OutputError(f"{path}: {name} has shape {column.shape}, "
                               f"expected ({len(position)},)")
-    if not np.isfinite(position).all():
-        raise OutputError(f"{path}: some positions are not finite numbers")
-    return Snapshot(step, position[:, :2], **data)
+    drawable = np.isfinite(position).all(axis=1) & np.isfinite(data["max_principal_stress"])
+    return Snapshot(step, int(np.count_nonzero(~drawable)), position[drawable, :2],
+                    **{name: column[drawable] for name, column in data.items()})
 
 
 def save_picture(figure, path, dpi):

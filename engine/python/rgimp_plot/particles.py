@@ -18,7 +18,7 @@ AXIS_LABEL, LEGEND = 0.5, 0.3  # inches under the axes
 def draw_crack(result, step=None):
     snapshot = result.snapshot(result.steps()[-1] if step is None else step)
     window = Window(result, [snapshot])
-    caption = style.caption(result, window.remark(snapshot))
+    caption = style.caption(result, *window.remark(snapshot))
     figure, axes = window.figure(f"{result.title()}\n{describe(result, snapshot)}", caption,
                                  legend=LEGEND)
     add_modes(axes, window, snapshot)
@@ -31,14 +31,14 @@ def draw_stress(result, step=None):
     snapshot = result.snapshot(eve_step(result, first_failure) if step is None else step)
     intact = snapshot.failed == output.INTACT
     stress = snapshot.max_principal_stress * 1e-6
-    usable = stress[intact & np.isfinite(stress)]
+    usable = stress[intact]
     limit = float(np.quantile(np.abs(usable), SCALED)) if usable.size else 0.0
 
     window = Window(result, [snapshot])
     title = (f"{result.title()}\nMaximum principal stress, {describe(result, snapshot)}\n"
              f"{relate_to_failure(snapshot.step, first_failure)}")
     caption = style.caption(
-        result, window.remark(snapshot),
+        result, *window.remark(snapshot),
         f"Largest value {usable.max():.3g} MPa, smallest {usable.min():.3g} MPa; the scale holds "
         f"{SCALED:.1%} of the intact particles." if usable.size else "",
         "" if intact.all() else "Dark grey: failed.")
@@ -56,7 +56,7 @@ def draw_stress(result, step=None):
 def draw_growth(result):
     snapshots = [result.snapshot(step) for step in growth_steps(result)]
     window = Window(result, snapshots)
-    caption = style.caption(result, window.remark(*snapshots))
+    caption = style.caption(result, *window.remark(*snapshots))
     height = min(5.0, 2.6 / window.aspect)
     width = height * window.aspect
     pitch, left, right = max(width, 1.55) + 0.2, 0.75, 0.15
@@ -133,7 +133,7 @@ def add_legend(figure, snapshot, caption, when=""):
     counts = {mode: int(np.count_nonzero(snapshot.failed == mode)) for mode, _, _ in MODES}
     handles = [Patch(color=colour, label=f"{counts[mode]:,} {name}{when}")
                for mode, colour, name in MODES if counts[mode]]
-    if counts[output.INTACT] == len(snapshot.failed):
+    if counts[output.INTACT] == len(snapshot.failed) > 0:
         handles.append(Patch(color="none", label=f"0 failed{when}"))
     figure.legend(handles=handles, loc="lower center", ncol=3, fontsize=9, columnspacing=1.2,
                   borderpad=0,
@@ -145,9 +145,15 @@ class Window:
 
     def __init__(self, result, snapshots):
         first = result.snapshot(result.steps()[0])
+        if first.position.size == 0:
+            raise output.OutputError(f"no particle of the first snapshot, step {first.step}, has a "
+                                     "finite position and stress")
         self.size = particle_size(first.position, result.case) * 1e3
         low, high = first.position.min(axis=0), first.position.max(axis=0)
-        for snapshot in snapshots:  # a few fragments that fly off must not shrink the specimen
+        for snapshot in snapshots:
+            if snapshot.position.size == 0:
+                continue
+            # A few fragments that fly off must not shrink the specimen.
             low = np.minimum(low, np.quantile(snapshot.position, 0.002, axis=0))
             high = np.maximum(high, np.quantile(snapshot.position, 0.998, axis=0))
         low, high = low * 1e3 - self.size / 2, high * 1e3 + self.size / 2
@@ -192,11 +198,18 @@ class Window:
         return squares
 
     def remark(self, *snapshots):
-        """Says how many particles the picture leaves out, where it does."""
+        """Says how many particles the picture leaves out and why, where it does."""
         outside = max(int(((snapshot.position * 1e3 < self.low) |
                            (snapshot.position * 1e3 > self.high)).any(axis=1).sum())
                       for snapshot in snapshots)
-        return f"{outside:,} particles lie outside the picture." if outside else ""
+        lost = max(snapshot.left_out for snapshot in snapshots)
+        lines = []
+        if outside:
+            lines.append(f"{outside:,} particles lie outside the picture.")
+        if lost:
+            lines.append(f"{lost:,} particles are left out: their position or stress is not a "
+                         "finite number.")
+        return lines
 
 
 def particle_size(position, case):

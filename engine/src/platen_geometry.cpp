@@ -1,0 +1,34 @@
+#include "platen_geometry.hpp"
+
+#include <cmath>
+
+namespace rgimp {
+
+PlatenAxis axis_of(Side side) {
+  switch (side) {
+    case Side::left:
+      return {0, 1.0};
+    case Side::right:
+      return {0, -1.0};
+    case Side::bottom:
+      return {1, 1.0};
+    case Side::top:
+      return {1, -1.0};
+  }
+  return {1, -1.0};
+}
+
+PlatenContact::PlatenContact(const Platen& platen, const Box& specimen)
+    : side(axis_of(platen.side)),
+      across(1 - side.axis),
+      end(side.towards < 0.0 ? specimen.max[side.axis] : specimen.min[side.axis]),
+      opposite(side.towards < 0.0 ? specimen.min[side.axis] : specimen.max[side.axis]),
+      center(0.5 * (specimen.min[across] + specimen.max[across])),
+      half_width(platen.half_width) {}
+
+bool PlatenContact::holds(double position) const {
+  constexpr double kTolerance = 1e-9;  // m
+  return !half_width || std::abs(position - center) <= *half_width + kTolerance;
+}
+
+}  // namespace rgimp

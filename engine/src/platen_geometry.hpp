@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+
+#include "geometry.hpp"
+#include "rgimp/case.hpp"
+
+namespace rgimp {
+
+/// Which way a platen moves and looks.
+struct PlatenAxis {
+  int axis;        ///< 0 x, 1 y
+  double towards;  ///< +1 or -1: direction of travel towards the specimen along the axis
+};
+
+PlatenAxis axis_of(Side side);
+
+/// Where a platen touches the specimen: its end on the platen's side, or a part of it.
+struct PlatenContact {
+  PlatenContact(const Platen& platen, const Box& specimen);
+
+  /// Whether a node at `position` across the load is held; one on the contact's edge is.
+  bool holds(double position) const;
+
+  PlatenAxis side;
+  int across;                        ///< the other axis
+  double end;                        ///< m, of the specimen on the platen's side
+  double opposite;                   ///< m, its other end
+  double center;                     ///< m, across the load
+  std::optional<double> half_width;  ///< m; none: the whole end
+};
+
+}  // namespace rgimp

@@ -1,0 +1,131 @@
+#include <catch2/catch.hpp>
+
+#include "case_text.hpp"
+#include "rgimp/rgimp.hpp"
+
+namespace {
+
+using rgimp::testing::read_text;
+
+const std::filesystem::path kExamples = RGIMP_EXAMPLES;
+
+/// Every table, and values that are hard to write.
+const std::string kEverything = R"(title = "quote \" backslash \\ tab \t end"
+[grid]
+cell_size = 0.30000000000000004e-3
+min = [-0.0171, -0.0201]
+max = [0.05, 0.02]
+[[body]]
+shape = "disk"
+center = [0.1e-3, 0.2e-3]
+size = 0.03
+material = "hard rock"
+particles_per_cell = 3
+velocity = [1e-300, -7]
+[[flaw]]
+shape = "circle"
+center = [0.0, 0.0]
+length = 1e-3
+[[flaw]]
+shape = "box"
+center = [3e-3, 0.0]
+size = [1e-3, 2e-3]
+[[flaw]]
+shape = "slot"
+center = [-3e-3, 0.0]
+length = 5e-3
+width = 1e-3
+angle = 33.333333333333336
+ends = "round"
+[material."hard rock"]
+density = 2600
+youngs_modulus = 1e22
+poisson_ratio = 0
+failure = {criterion = "shear-strain", shear_strain = 1e-4, treatment = "pressure-window", pressure_min = -1.5, pressure_max = 2e5}
+[material.soft]
+density = 1
+youngs_modulus = 2
+poisson_ratio = 0.3
+[time]
+duration = 1e-6
+integrator = "usf"
+[damping]
+local = 0.1
+[viscosity]
+quadratic = 0
+linear = 0.1
+[body_force]
+acceleration = [0.0, -9.81]
+[output]
+history_every = 7
+snapshot_every = 3
+snapshot_steps = [1, 2]
+checkpoint_every = 11
+[tuning]
+threads = 2
+)";
+
+rgimp::Case read_back() {
+  return read_text(rgimp::write_case(read_text(kEverything)));
+}
+
+}  // namespace
+
+TEST_CASE("what is written reads back to the same text") {
+  const std::string text = rgimp::write_case(read_text(kEverything));
+  CHECK(rgimp::write_case(read_text(text)) == text);
+  CHECK(text.find("\nsnapshot_steps = [1, 2]             # besides") != std::string::npos);
+}
+
+TEST_CASE("what is written reads back to the same shapes") {
+  const rgimp::Case second = read_back();
+  CHECK(second.title == "quote \" backslash \\ tab \t end");
+  CHECK(second.grid.cell_size == 0.30000000000000004e-3);
+  CHECK(second.grid.min.value() == rgimp::Vector(-0.0171, -0.0201, 0.0));
+  CHECK(second.grid.max.value() == rgimp::Vector(0.05, 0.02, 0.0));
+  CHECK(second.bodies.at(0).velocity == rgimp::Vector(1e-300, -7.0, 0.0));
+  CHECK(second.bodies.at(0).particles_per_cell == 3);
+  CHECK(second.bodies.at(0).size == rgimp::Vector(0.03, 0.0, 0.0));
+  CHECK(second.flaws.at(0).length == 1e-3);
+  CHECK(second.flaws.at(1).size == rgimp::Vector(1e-3, 2e-3, 0.0));
+  CHECK(second.flaws.at(2).ends == rgimp::SlotEnds::round);
+  CHECK(second.flaws.at(2).angle == 33.333333333333336);
+}
+
+TEST_CASE("what is written reads back to the same materials") {
+  const rgimp::Case second = read_back();
+  const rgimp::Material& hard = second.materials.at("hard rock");
+  CHECK(hard.youngs_modulus == 1e22);
+  CHECK(hard.failure->criterion == rgimp::Criterion::shear_strain);
+  CHECK(hard.failure->shear_strain == 1e-4);
+  CHECK(hard.failure->shear_strength == 0.0);
+  CHECK(hard.failure->treatment == rgimp::Treatment::pressure_window);
+  CHECK(hard.failure->pressure_min == -1.5);
+  CHECK_FALSE(second.materials.at("soft").failure.has_value());
+}
+
+TEST_CASE("what is written reads back to the same loads, times and outputs") {
+  const rgimp::Case second = read_back();
+  CHECK(second.platens.empty());
+  CHECK(second.time.duration == 1e-6);
+  CHECK_FALSE(second.time.steps.has_value());
+  CHECK(second.time.integrator == rgimp::Integrator::usf);
+  CHECK(second.quadratic_viscosity == 0.0);
+  CHECK(second.body_acceleration.y() == -9.81);
+  CHECK(second.output.snapshot_steps == std::vector<std::int64_t>{1, 2});
+  CHECK(second.output.checkpoint_every == 11);
+  CHECK(second.threads == 2);
+}
+
+TEST_CASE("the examples survive writing, and defaults are spelt out") {
+  for (const char* name : {"single_flaw.toml", "double_flaw.toml", "brazilian_disk.toml"}) {
+    INFO(name);
+    const rgimp::Case example = rgimp::read_case(kExamples / name);
+    const std::string text = rgimp::write_case(example);
+    CHECK(rgimp::write_case(read_text(text)) == text);
+    CHECK(text.find("integrator = \"musl\"") != std::string::npos);
+    CHECK(text.find("quadratic = 1.5") != std::string::npos);
+    CHECK(text.find("lateral = \"slip\"") != std::string::npos);
+    CHECK(rgimp::check_case(example).empty());
+  }
+}
