@@ -107,19 +107,6 @@ double time_steps(Simulation& simulation) {
          static_cast<double>(std::max<std::int64_t>(1, simulation.steps_done() - first));
 }
 
-/// Of the first step, at the largest speed along an axis that the case gives bodies and platens.
-double critical_step_ratio(const Simulation& simulation) {
-  const Case& settings = simulation.settings();
-  double speed = 0.0;
-  for (const Body& body : settings.bodies) {
-    speed = std::max(speed, body.velocity.cwiseAbs().maxCoeff());
-  }
-  for (const Platen& platen : settings.platens) {
-    speed = std::max(speed, std::abs(platen.speed));
-  }
-  return simulation.critical_step_ratio() + simulation.facts().dt * speed / settings.grid.cell_size;
-}
-
 std::string describe_grid(const Facts& facts, const Case& settings) {
   const auto& nodes = facts.nodes;
   const std::string depth = settings.dimension == 3 ? fmt::format(" x {}", nodes[2]) : "";
@@ -164,7 +151,7 @@ void check(const CaseArguments& arguments) {
   print_line("particles", with_separators(static_cast<std::int64_t>(facts.particles)));
   print_line("grid", describe_grid(facts, settings));
   print_line("time step", fmt::format("{:.6g} s, {:.4f} of the critical step (dt/dt_cr)", facts.dt,
-                                      critical_step_ratio(simulation)));
+                                      simulation.critical_step_ratio()));
   print_line("steps", fmt::format("{}, {:.4g} s simulated", with_separators(facts.total_steps),
                                   total * facts.dt));
   print_line("memory", format_bytes(facts.memory_bytes));
