@@ -86,7 +86,8 @@ class Simulation {
 
   std::int64_t steps_done() const;
   double time() const;  ///< s
-  /// dt over the critical step of Eq. 22 with the fastest particle of the last step.
+  /// dt over the critical step of Eq. 22 with the fastest particle of the last step, or
+  /// of the start.
   double critical_step_ratio() const;
   HistoryRow history() const;
   ParticleTable particles() const;
