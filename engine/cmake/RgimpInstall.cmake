@@ -1,0 +1,36 @@
+# What `cmake --install` puts under the prefix: the static libraries, the public headers, the CMake
+# package, the two commands and the example cases.
+include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
+
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/rgimp)
+set(share ${CMAKE_INSTALL_DATADIR}/rgimp)
+
+set_target_properties(rgimp_engine PROPERTIES EXPORT_NAME engine)
+set_target_properties(rgimp_kernels PROPERTIES EXPORT_NAME kernels)
+install(TARGETS rgimp_engine rgimp_kernels EXPORT rgimp
+        INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/engine/include/rgimp TYPE INCLUDE)
+
+# The compatible versions: while the first number is 0, the second one breaks interfaces.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/rgimpConfigVersion.cmake
+                                 COMPATIBILITY SameMinorVersion)
+install(EXPORT rgimp NAMESPACE rgimp:: FILE rgimpTargets.cmake DESTINATION ${package})
+install(FILES ${CMAKE_CURRENT_LIST_DIR}/rgimpConfig.cmake
+              ${PROJECT_BINARY_DIR}/rgimpConfigVersion.cmake DESTINATION ${package})
+
+install(TARGETS rgimp)
+
+# rgimp-plot finds its modules beside the file that a link to it leads to.
+set(python ${PROJECT_SOURCE_DIR}/engine/python)
+install(PROGRAMS ${python}/rgimp-plot DESTINATION ${share}/python)
+install(DIRECTORY ${python}/rgimp_plot DESTINATION ${share}/python
+        FILES_MATCHING PATTERN *.py PATTERN __pycache__ EXCLUDE)
+file(RELATIVE_PATH plot ${CMAKE_INSTALL_FULL_BINDIR}
+     ${CMAKE_INSTALL_FULL_DATADIR}/rgimp/python/rgimp-plot)
+file(CREATE_LINK ${plot} ${PROJECT_BINARY_DIR}/rgimp-plot SYMBOLIC)
+install(FILES ${PROJECT_BINARY_DIR}/rgimp-plot TYPE BIN)
+
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/ DESTINATION ${share}/examples
+        FILES_MATCHING PATTERN *.toml PATTERN pictures EXCLUDE)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE TYPE DOC)

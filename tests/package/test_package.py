@@ -1,0 +1,74 @@
+"""RGIMP as other programs get it: installed, through find_package, or as a subdirectory.
+
+Usage: test_package.py CMAKE GENERATOR CXX_COMPILER BUILD_DIRECTORY [unittest's options]
+"""
+
+import json
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+CMAKE, GENERATOR, COMPILER, BUILD = (sys.argv.pop(1) for _ in range(4))
+HERE = Path(__file__).resolve().parent
+SOURCE = HERE.parent.parent
+STEPS = 20
+
+
+def output_of(*command):
+    """The command's standard output; what it wrote is in the error where it fails."""
+    done = subprocess.run(command, capture_output=True, text=True)
+    if done.returncode != 0:
+        raise AssertionError(f"{command} exits {done.returncode}\n{done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def configure(source, build, *definitions):
+    output_of(CMAKE, "-S", source, "-B", build, "-G", GENERATOR, f"-DCMAKE_CXX_COMPILER={COMPILER}",
+              "-DCMAKE_BUILD_TYPE=Release", *definitions)
+
+
+class Package(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory(prefix="rgimp_package_")
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        cls.prefix = cls.folder / "prefix"
+        output_of(CMAKE, "--install", BUILD, "--prefix", cls.prefix)
+
+    def test_installed_library_computes_what_the_installed_command_does(self):
+        output = self.folder / "output"
+        case = self.prefix / "share/rgimp/examples/single_flaw.toml"
+        output_of(self.prefix / "bin/rgimp", "run", case, "-o", output,
+                  "--set", f"time.steps={STEPS}", "--set", "output.snapshot_steps=[]")
+        summary = json.loads((output / "summary.json").read_text())
+
+        build = self.folder / "find_package"
+        configure(HERE / "find_package", build, f"-DCMAKE_PREFIX_PATH={self.prefix}")
+        output_of(CMAKE, "--build", build)
+        state_hash = output_of(build / "outside", output / "case.toml").strip()
+
+        self.assertEqual(summary["steps"], STEPS)
+        self.assertEqual(state_hash, summary["state_hash"])
+
+    def test_installed_rgimp_plot_finds_its_modules(self):
+        nothing = self.folder / "nothing"
+        done = subprocess.run([self.prefix / "bin/rgimp-plot", nothing], capture_output=True,
+                              text=True)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn(f"no such directory: {nothing}", done.stderr)
+
+    def test_subdirectory_brings_no_tests_and_installs_nothing(self):
+        build = self.folder / "add_subdirectory"
+        configure(HERE / "add_subdirectory", build, f"-DRGIMP_SOURCE={SOURCE}")
+        parts = {path.parent.name for path in build.glob("rgimp/*/cmake_install.cmake")}
+        self.assertEqual(parts, {"kernels", "engine"})
+        prefix = self.folder / "subdirectory_prefix"
+        output_of(CMAKE, "--install", build, "--prefix", prefix)
+        self.assertFalse(prefix.exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
