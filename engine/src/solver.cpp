@@ -102,10 +102,10 @@ void Solver<Dim>::step() {
   double* const* const strain_velocity = g_.second_field;
   switch (integrator_) {
     case Integrator::musl:
-      scatter_all();            // m_p v_p s_p V_p -> m_i p_i f_i = -sum V s grad S       [8-10]
-      advance_nodes();          // m_i p_i f_i -> a_i v_i; body force, damping, platens [7, 11, 4]
-      scatter_new_momentum();   // a_i -> v_p += dt sum S a_i -> p_i = sum S m_p v_p      [6, 8]
-      divide(strain_velocity);  // p_i m_i -> v_i; platens                                [8, 4]
+      scatter_all();           // m_p v_p s_p V_p -> m_i p_i f_i = -sum V s grad S       [8-10]
+      advance_nodes();         // m_i p_i f_i -> a_i v_i; body force, damping, platens [7, 11, 4]
+      scatter_new_momentum();  // a_i -> v_p += dt sum S a_i -> p_i = sum S m_p v_p      [6, 8]
+      find_strain_velocity(g_.second_field);  // p_i m_i -> v_i; platens                   [8, 4]
       on_particles([&](Range bins) {
         strain(bins, strain_velocity);  // v_i -> s_p V_p, failure                        [20, 21]
         move(bins);                     // new v_i -> x_p += dt sum S v_i                      [6]
@@ -113,7 +113,7 @@ void Solver<Dim>::step() {
       break;
     case Integrator::usl:
       scatter_all();    // as above                                                         [8-10]
-      advance_nodes();  //                                                              [7, 11, 4]
+      advance_nodes();  // as above                                                   [7, 11, 4]
       on_particles([&](Range bins) {
         accelerate(bins);            // a_i -> v_p += dt sum S a_i                             [6]
         strain(bins, new_velocity);  // v_i -> s_p V_p, failure                           [20, 21]
@@ -122,13 +122,13 @@ void Solver<Dim>::step() {
       break;
     case Integrator::usf:
       scatter_mass_momentum();  // m_p v_p -> m_i p_i                                       [8, 9]
-      divide(g_.momentum);      // p_i m_i -> v_i at the start of the step; platens         [8, 4]
+      find_strain_velocity(g_.momentum);  // p_i m_i -> v_i of the start; platens           [8, 4]
       on_particles([&](Range bins) { strain(bins, strain_velocity); });  // as above      [20, 21]
-      scatter_force();  // s_p V_p -> f_i                                             [10]
-      advance_nodes();  // as above                                             [7, 11, 4]
+      scatter_force();  // s_p V_p -> f_i                                                   [10]
+      advance_nodes();  // as above                                                   [7, 11, 4]
       on_particles([&](Range bins) {
-        accelerate(bins);  //                                                                  [6]
-        move(bins);        //                                                                  [6]
+        accelerate(bins);  // as above                                                         [6]
+        move(bins);        // as above                                                         [6]
       });
       break;
   }
@@ -137,23 +137,28 @@ void Solver<Dim>::step() {
 
 template <int Dim>
 template <typename Work>
-void Solver<Dim>::over_bands(Stage stage, Work work) {
+void Solver<Dim>::timed(Stage stage, Work work) {
   const auto start = std::chrono::steady_clock::now();
-  workers_.for_each(bands_.count(), [&](std::ptrdiff_t band) { work(band); });
+  work();
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
   stage_seconds_[static_cast<std::size_t>(stage)] += spent.count();
 }
 
 template <int Dim>
 template <typename Work>
+void Solver<Dim>::over_bands(Stage stage, Work work) {
+  timed(stage, [&] { workers_.for_each(bands_.count(), work); });
+}
+
+template <int Dim>
+template <typename Work>
 void Solver<Dim>::over_colours(Stage stage, Work work) {
-  const auto start = std::chrono::steady_clock::now();
-  for (int colour = 0; colour < 2; ++colour) {
-    workers_.for_each(bands_.count_of(colour),
-                      [&](std::ptrdiff_t index) { work(Bands::band_of(colour, index)); });
-  }
-  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-  stage_seconds_[static_cast<std::size_t>(stage)] += spent.count();
+  timed(stage, [&] {
+    for (int colour = 0; colour < 2; ++colour) {
+      workers_.for_each(bands_.count_of(colour),
+                        [&](std::ptrdiff_t index) { work(Bands::band_of(colour, index)); });
+    }
+  });
 }
 
 template <int Dim>
@@ -200,7 +205,7 @@ void Solver<Dim>::scatter_new_momentum() {
 }
 
 template <int Dim>
-void Solver<Dim>::divide(const double* const* momentum) {
+void Solver<Dim>::find_strain_velocity(const double* const* momentum) {
   over_bands(Stage::second_nodes, [&](std::ptrdiff_t band) {
     const Range rows = bands_.rows(band);
     kernels_.divide_by_mass(g_, momentum, node_update_.least_mass, rows);

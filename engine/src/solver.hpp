@@ -57,7 +57,7 @@ class Solver {
   void scatter_force();
   void advance_nodes();
   void scatter_new_momentum();
-  void divide(const double* const* momentum);
+  void find_strain_velocity(const double* const* momentum);
   template <typename Work>
   void on_particles(Work work);
 
@@ -66,6 +66,8 @@ class Solver {
   void strain(Range bins, const double* const* velocity);
   void move(Range bins);
 
+  template <typename Work>
+  void timed(Stage stage, Work work);
   template <typename Work>
   void over_bands(Stage stage, Work work);
   template <typename Work>
