@@ -29,10 +29,9 @@ class Platens {
   Platens(const Case& settings, Grid<Dim>& grid);
 
   void set_time(double time);
-  std::size_t count() const { return settings_.size(); }
 
   /// After update_nodes: the prescribed velocity replaces velocity and acceleration
-  /// (u = u_bar, Eq. 4). The reaction is the force that takes. Adds to by_row[row], which holds
+  /// (u = u_bar, Eq. 4). The reaction is the force that takes. Sets by_row[row], which holds
   /// one reaction per platen.
   void impose(const kernels::GridView<Dim>& grid, double dt, double least_mass,
               kernels::RowRange rows, std::vector<PlatenSums>& by_row) const;

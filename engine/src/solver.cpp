@@ -23,14 +23,6 @@ constexpr std::ptrdiff_t kBandHeight = Dim == 2 ? 8 : 4;
 /// was still 1e-6 of a full node's and free fall was off by 5e-6, at 1e-24 by 1e-14.
 constexpr double kLeastMassShare = 1e-24;
 
-double fastest_sound(const Case& settings) {
-  double most = 0.0;
-  for (const Body& body : settings.bodies) {
-    most = std::max(most, sound_speed(settings.materials.at(body.material)));
-  }
-  return most;
-}
-
 template <int Dim>
 double least_node_mass(const Case& settings) {
   double density = settings.materials.at(settings.bodies.front().material).density;

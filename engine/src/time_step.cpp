@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace rgimp {
 namespace {
@@ -17,13 +16,16 @@ double sound_speed(const Material& material) {
                    ((1.0 + nu) * (1.0 - 2.0 * nu) * material.density));
 }
 
-double time_step(const Case& settings) {
-  double shortest = std::numeric_limits<double>::infinity();
+double fastest_sound(const Case& settings) {
+  double most = 0.0;
   for (const Body& body : settings.bodies) {
-    const double speed = sound_speed(settings.materials.at(body.material));
-    shortest = std::min(shortest, settings.grid.cell_size / speed);
+    most = std::max(most, sound_speed(settings.materials.at(body.material)));
   }
-  return settings.time.step_factor * shortest;
+  return most;
+}
+
+double time_step(const Case& settings) {
+  return settings.time.step_factor * (settings.grid.cell_size / fastest_sound(settings));
 }
 
 double total_steps(const Case& settings) {

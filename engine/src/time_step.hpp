@@ -9,6 +9,9 @@ namespace rgimp {
 /// Eq. 23: speed of pressure waves, m/s.
 double sound_speed(const Material& material);
 
+/// The fastest of the materials that bodies are made of, m/s.
+double fastest_sound(const Case& settings);
+
 /// Eq. 24: the constant time step, s, over the materials that bodies are made of.
 double time_step(const Case& settings);
 

@@ -4,19 +4,13 @@
 
 namespace rgimp::kernels::reference {
 
-/// Position of component (a, b) among the stress columns.
-constexpr int stress_column(int a, int b) {
-  constexpr int kMixed[4] = {0, 3, 5, 4};  // by a + b: xy = 1, xz = 2, yz = 3
-  return a == b ? a : kMixed[a + b];
-}
-
 /// V sigma - V q I of a particle, J: what its gradients of weights are multiplied with.
 template <int Dim>
 struct LoadedStress {
   LoadedStress(const ParticleView<Dim>& particles, std::size_t p) {
     for (int a = 0; a < Dim; ++a) {
       for (int b = 0; b < Dim; ++b) {
-        value[a][b] = particles.volume[p] * particles.stress[stress_column(a, b)][p];
+        value[a][b] = particles.volume[p] * particles.stress[kStressColumn[a][b]][p];
       }
       value[a][a] -= particles.viscous_energy[p];
     }

@@ -252,12 +252,9 @@ void gather(const ParticleView<Dim>& particles, const GridView<Dim>& grid,
   const ShapeConstants<Dim> shape(grid);
   for (std::ptrdiff_t row = bins.first; row < bins.last; ++row) {
     update.begin_row();
-    for (std::ptrdiff_t column = 0; column < grid.groups_in_row; ++column) {
-      const std::uint32_t* begin = particles.group_begin + row * grid.groups_in_row + column;
-      if (begin[0] != begin[1]) {
-        gather_group(particles, GroupPlace<Dim>(grid, row, column), shape, field, update);
-      }
-    }
+    for_each_group(particles, grid, row, [&](const GroupPlace<Dim>& place) {
+      gather_group(particles, place, shape, field, update);
+    });
     update.end_row(row);
   }
 }

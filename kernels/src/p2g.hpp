@@ -44,13 +44,6 @@ inline RowWeights<Dim> row_weights(const SlotWeights<Dim>& weights, int row) {
   return w;
 }
 
-/// Column of stress component (a, b).
-template <int Dim>
-constexpr int stress_column(int a, int b) {
-  constexpr int kMixed[4] = {0, 3, 5, 4};  // by a + b: xy = 1, xz = 2, yz = 3
-  return a == b ? a : kMixed[a + b];
-}
-
 /// Adds a slot's particles to the sums of one node row: m S and m v S [Eq. 8, 9].
 template <int Dim, Content What>
 inline void add_momentum(const ParticleView<Dim>& particles, std::size_t index,
@@ -87,7 +80,7 @@ inline void add_force(const ParticleView<Dim>& particles, std::size_t index,
     Batch loaded[Dim];
 #pragma GCC unroll 3
     for (int b = 0; b < Dim; ++b) {
-      const Batch stress = Batch::load_aligned(particles.stress[stress_column<Dim>(a, b)] + index);
+      const Batch stress = Batch::load_aligned(particles.stress[kStressColumn[a][b]] + index);
       loaded[b] = a == b ? fused(minus_volume, stress, viscous) : minus_volume * stress;
     }
     const Batch along = loaded[0] * w.value;

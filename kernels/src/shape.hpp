@@ -74,6 +74,18 @@ struct GroupPlace {
   std::ptrdiff_t row_offset[kNeighbourRows<Dim>];
 };
 
+/// Calls visit(place) for the groups of a row of bins that hold particles.
+template <int Dim, typename Visit>
+inline void for_each_group(const ParticleView<Dim>& particles, const GridView<Dim>& grid,
+                           std::ptrdiff_t row, Visit visit) {
+  const std::uint32_t* begin = particles.group_begin + row * grid.groups_in_row;
+  for (std::ptrdiff_t column = 0; column < grid.groups_in_row; ++column) {
+    if (begin[column] != begin[column + 1]) {
+      visit(GroupPlace<Dim>(grid, row, column));
+    }
+  }
+}
+
 /// Distance from the bin's node along an axis, in cells.
 template <int Dim>
 inline Batch node_distance(const ParticleView<Dim>& particles, std::size_t index,

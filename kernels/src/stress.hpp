@@ -41,7 +41,7 @@ inline PlaneStress elastic_stress(const PlaneStress& s, const PlaneIncrement& e,
           fused(Batch(material.shear_modulus), e.xy, fused(e.rotation, s.yy - s.xx, s.xy))};
 }
 
-/// Stress and failure of the particles of one material of one group.
+/// Stress and failure of the particles of a row of bins, and what they add to the row's sums.
 class StressUpdate {
  public:
   StressUpdate(const ParticleView<2>& particles, const MaterialConstants* materials, double dt,
@@ -198,13 +198,9 @@ inline void update_stress(const ParticleView<2>& particles, const GridView<2>& g
   const ShapeConstants<2> shape(grid);
   for (std::ptrdiff_t row = bins.first; row < bins.last; ++row) {
     StressUpdate update(particles, materials, dt, step);
-    for (std::ptrdiff_t column = 0; column < grid.groups_in_row; ++column) {
-      const std::uint32_t* begin = particles.group_begin + row * grid.groups_in_row + column;
-      if (begin[0] != begin[1]) {
-        update_group(particles, GroupPlace<2>(grid, row, column), shape, field, materials, dt,
-                     update);
-      }
-    }
+    for_each_group(particles, grid, row, [&](const GroupPlace<2>& place) {
+      update_group(particles, place, shape, field, materials, dt, update);
+    });
     by_row[row] = update.sums();
   }
 }

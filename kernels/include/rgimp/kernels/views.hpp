@@ -14,6 +14,10 @@ inline constexpr int kGroupWidth = 8;
 template <int Dim>
 inline constexpr int kStressComponents = Dim == 2 ? 4 : 6;
 
+/// Where the stress columns hold component (a, b). Internal to each unit, unlike an inline
+/// variable.
+constexpr int kStressColumn[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
+
 /// Values of ParticleView::failure_mode; a double so that a kernel loads it like any column.
 inline constexpr double kIntact = 0.0;
 inline constexpr double kFailedInTension = 1.0;
