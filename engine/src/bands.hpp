@@ -32,6 +32,15 @@ class Bands {
     const bool is_last = band == count() - 1;
     return in_rows(band * height_ - beyond, is_last ? layers_ : (band + 1) * height_ + beyond);
   }
+  /// Rows that are complete once a band has scattered: an odd band's and the rows next to it, which
+  /// only the even band there adds to besides; the rest of an even band's. Every row is in one.
+  kernels::RowRange completed_rows(std::ptrdiff_t band) const {
+    const bool even = band % 2 == 0;
+    const std::ptrdiff_t beyond = even ? -1 : 1;
+    const bool is_last = band == count() - 1;
+    const std::ptrdiff_t first = band == 0 ? 0 : band * height_ - beyond;
+    return in_rows(first, is_last ? layers_ : (band + 1) * height_ + beyond);
+  }
 
  private:
   kernels::RowRange in_rows(std::ptrdiff_t first, std::ptrdiff_t last) const {

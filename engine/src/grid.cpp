@@ -13,8 +13,10 @@ Grid<Dim>::Grid(const GridExtent& extent, int particles_per_cell, double damping
   mass_.resize(size);
   damping_.resize(size, damping);
   for (int a = 0; a < Dim; ++a) {
-    momentum_[a].resize(size);
-    force_[a].resize(size);
+    for (int layer = 0; layer < 2; ++layer) {
+      momentum_[layer][a].resize(size);
+      force_[layer][a].resize(size);
+    }
     second_field_[a].resize(size);
   }
 }
@@ -34,12 +36,12 @@ Vector Grid<Dim>::position(std::ptrdiff_t node) const {
 }
 
 template <int Dim>
-kernels::GridView<Dim> Grid<Dim>::view() {
+kernels::GridView<Dim> Grid<Dim>::view(int layer) {
   kernels::GridView<Dim> v{};
   for (int a = 0; a < Dim; ++a) {
     v.origin[a] = extent_.origin[a];
-    v.momentum[a] = momentum_[a].data() + kHalo;
-    v.force[a] = force_[a].data() + kHalo;
+    v.momentum[a] = momentum_[layer][a].data() + kHalo;
+    v.force[a] = force_[layer][a].data() + kHalo;
     v.second_field[a] = second_field_[a].data() + kHalo;
   }
   v.cell_size = extent_.cell_size;
@@ -58,12 +60,17 @@ void Grid<Dim>::clear_rows(Field& field, kernels::RowRange rows) {
 }
 
 template <int Dim>
-void Grid<Dim>::clear(kernels::RowRange rows) {
+void Grid<Dim>::clear(kernels::RowRange rows, int layer) {
   clear_rows(mass_, rows);
-  for (auto& field : momentum_) {
+  for (auto& field : momentum_[layer]) {
     clear_rows(field, rows);
   }
-  for (auto& field : force_) {
+  clear_force(rows, layer);
+}
+
+template <int Dim>
+void Grid<Dim>::clear_force(kernels::RowRange rows, int layer) {
+  for (auto& field : force_[layer]) {
     clear_rows(field, rows);
   }
 }
@@ -77,7 +84,7 @@ void Grid<Dim>::clear_second_field(kernels::RowRange rows) {
 
 template <int Dim>
 std::size_t Grid<Dim>::memory_bytes() const {
-  return (mass_.capacity() + damping_.capacity() + 3 * Dim * force_[0].capacity()) * sizeof(double);
+  return (2 + 5 * Dim) * mass_.capacity() * sizeof(double);
 }
 
 template class Grid<2>;

@@ -27,9 +27,12 @@ class Grid {
   /// Platen nodes are not damped, else reactions would be over-reported by 1 + beta.
   void clear_damping(std::ptrdiff_t node) { damping_[kHalo + node] = 0.0; }
 
-  kernels::GridView<Dim> view();
-  /// Sets mass, momentum and force of node rows to zero.
-  void clear(kernels::RowRange rows);
+  /// Momentum and force come in two layers, as one is gathered from while the next step's is
+  /// scattered; all other fields are shared.
+  kernels::GridView<Dim> view(int layer = 0);
+  /// Sets mass, and momentum and force of a layer, of node rows to zero.
+  void clear(kernels::RowRange rows, int layer = 0);
+  void clear_force(kernels::RowRange rows, int layer);
   void clear_second_field(kernels::RowRange rows);
   std::size_t memory_bytes() const;
 
@@ -43,8 +46,8 @@ class Grid {
   double particle_half_size_;
   std::ptrdiff_t groups_in_row_;
   Field mass_;
-  std::array<Field, Dim> momentum_;
-  std::array<Field, Dim> force_;
+  std::array<std::array<Field, Dim>, 2> momentum_;  // by layer
+  std::array<std::array<Field, Dim>, 2> force_;
   std::array<Field, Dim> second_field_;
   Field damping_;
 };

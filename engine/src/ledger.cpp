@@ -36,25 +36,30 @@ Ledger::Ledger(const Case& settings, std::size_t rows)
       platen_sums_(rows, PlatenSums{0.0, std::vector<double>(platens_.size(), 0.0)}),
       reaction_of_platen_(platens_.size(), 0.0) {}
 
-void Ledger::add_step(double dt) {
-  farthest_ = 0.0;
-  double longest_move = 0.0;
+void Ledger::add_nodes() {
   std::fill(reaction_of_platen_.begin(), reaction_of_platen_.end(), 0.0);
   for (std::size_t row = 0; row < nodes_.size(); ++row) {
     budget_.external_work += nodes_[row].body_force_work + platen_sums_[row].work;
     budget_.damping_work += nodes_[row].damping_work;
+    for (std::size_t p = 0; p < platens_.size(); ++p) {
+      reaction_of_platen_[p] += platen_sums_[row].reaction[p];
+    }
+  }
+  peak_axial_stress_ = std::max(peak_axial_stress_, axial_stress());
+}
+
+void Ledger::add_particles(double dt) {
+  farthest_ = 0.0;
+  double longest_move = 0.0;
+  for (std::size_t row = 0; row < particles_.size(); ++row) {
     budget_.viscous_work += particles_[row].viscous_work;
     budget_.released_energy += particles_[row].released_energy;
     failed_tension_ += particles_[row].failed_tension;
     failed_shear_ += particles_[row].failed_shear;
     farthest_ = std::max(farthest_, reach_[row].distance);
     longest_move = std::max(longest_move, reach_[row].step);
-    for (std::size_t p = 0; p < platens_.size(); ++p) {
-      reaction_of_platen_[p] += platen_sums_[row].reaction[p];
-    }
   }
   max_speed_ = longest_move / dt;
-  peak_axial_stress_ = std::max(peak_axial_stress_, axial_stress());
 }
 
 bool Ledger::is_on_load_axis(const Platen& platen) const {

@@ -24,8 +24,10 @@ class Ledger {
 
   /// The fastest particle before the first step, m/s.
   void set_initial_speed(double speed) { max_speed_ = speed; }
-  /// Adds the rows of the step just done, which took `dt` seconds.
-  void add_step(double dt);
+  /// Adds what the rows of nodes report of a step: works and reactions.
+  void add_nodes();
+  /// Adds what the rows of bins report of a step of `dt` seconds: works, failures, reach.
+  void add_particles(double dt);
 
   const EnergyBudget& budget() const { return budget_; }
   std::int64_t failed_tension() const { return failed_tension_; }

@@ -41,14 +41,6 @@ double fastest(const std::vector<ParticleSeed>& seeds) {
   return most;
 }
 
-/// Row by row, so that what follows each other on a row's particles finds them in cache.
-template <typename Work>
-void for_each_row(kernels::RowRange rows, Work work) {
-  for (std::ptrdiff_t row = rows.first; row < rows.last; ++row) {
-    work(kernels::RowRange{row, row + 1});
-  }
-}
-
 }  // namespace
 
 template <int Dim>
@@ -78,50 +70,41 @@ Solver<Dim>::Solver(const Case& settings, kernels::Isa isa, Workers& workers)
   for (int a = 0; a < Dim; ++a) {
     node_update_.body_acceleration[a] = settings.body_acceleration[a];
   }
-  g_ = grid_.view();
+  for (int layer = 0; layer < 2; ++layer) {
+    layers_[layer] = grid_.view(layer);
+  }
+  update_ = {.dt = dt_,
+             .step = 0,
+             .materials = materials_.data(),
+             .sums = ledger_.particles(),
+             .reach = ledger_.reach()};
   rebin();
   rebins_ = 0;
 }
 
 // ---- the step -------------------------------------------------------------------------------
 // m mass, p momentum, f force, v velocity, a acceleration, s stress, x position, V volume; S the
-// GIMP weights [Eq. 18, 19] of the positions that the step starts from. The v_i of `new_velocity`
-// is that at the end of the step; `strain_velocity` is the field that strains come from.
+// GIMP weights [Eq. 18, 19] of the positions at the time. A pass reads the particles once: what it
+// gathers lies on `now()`, what it scatters goes to `next()`, the grid of the step after.
 
 template <int Dim>
 void Solver<Dim>::step() {
-  double* const* const new_velocity = g_.momentum;
-  double* const* const strain_velocity = g_.second_field;
+  prepare();  // where the step before could not: m_p v_p s_p V_p -> m_i p_i f_i -> a_i v_i
+  update_.step = static_cast<std::int32_t>(steps_done_ + 1);
   switch (integrator_) {
     case Integrator::musl:
-      scatter_all();           // m_p v_p s_p V_p -> m_i p_i f_i = -sum V s grad S       [8-10]
-      advance_nodes();         // m_i p_i f_i -> a_i v_i; body force, damping, platens [7, 11, 4]
-      scatter_new_momentum();  // a_i -> v_p += dt sum S a_i -> p_i = sum S m_p v_p      [6, 8]
-      find_strain_velocity(g_.second_field);  // p_i m_i -> v_i; platens                   [8, 4]
-      on_particles([&](Range bins) {
-        strain(bins, strain_velocity);  // v_i -> s_p V_p, failure                        [20, 21]
-        move(bins);                     // new v_i -> x_p += dt sum S v_i                      [6]
-      });
+      accelerate();  // a_i -> v_p += dt sum S a_i -> p_i = sum S m_p v_p -> strain v_i   [6, 8]
+      strain_and_move();  // strain v_i -> s_p V_p, failure; v_i -> x_p += dt sum S v_i  [20, 21, 6]
+                          // -> m_i p_i f_i -> a_i v_i of the next step           [8-10, 7, 11, 4]
       break;
     case Integrator::usl:
-      scatter_all();    // as above                                                         [8-10]
-      advance_nodes();  // as above                                                   [7, 11, 4]
-      on_particles([&](Range bins) {
-        accelerate(bins);            // a_i -> v_p += dt sum S a_i                             [6]
-        strain(bins, new_velocity);  // v_i -> s_p V_p, failure                           [20, 21]
-        move(bins);                  // v_i -> x_p += dt sum S v_i                             [6]
-      });
+      accelerate_strain_and_move();  // a_i v_i -> v_p s_p V_p x_p, failure              [6, 20, 21]
+                                     // -> m_i p_i f_i -> a_i v_i of the next step  [8-10, 7, 11, 4]
       break;
     case Integrator::usf:
-      scatter_mass_momentum();  // m_p v_p -> m_i p_i                                       [8, 9]
-      find_strain_velocity(g_.momentum);  // p_i m_i -> v_i of the start; platens           [8, 4]
-      on_particles([&](Range bins) { strain(bins, strain_velocity); });  // as above      [20, 21]
-      scatter_force();  // s_p V_p -> f_i                                                   [10]
-      advance_nodes();  // as above                                                   [7, 11, 4]
-      on_particles([&](Range bins) {
-        accelerate(bins);  // as above                                                         [6]
-        move(bins);        // as above                                                         [6]
-      });
+      strain();  // strain v_i -> s_p V_p, failure -> f_i -> a_i v_i   [20, 21, 10, 7, 4]
+      accelerate_and_move();  // a_i v_i -> v_p x_p -> m_i p_i -> strain v_i of the next step   [6,
+                              // 8]
       break;
   }
   finish_step();  // row sums -> energy budget, reaction, failures; guards; bins
@@ -129,102 +112,100 @@ void Solver<Dim>::step() {
 
 template <int Dim>
 template <typename Work>
-void Solver<Dim>::timed(Stage stage, Work work) {
+void Solver<Dim>::over_bands(Stage stage, Work work) {
   const auto start = std::chrono::steady_clock::now();
-  work();
+  for (int colour = 0; colour < 2; ++colour) {
+    workers_.for_each(bands_.count_of(colour),
+                      [&](std::ptrdiff_t index) { work(Bands::band_of(colour, index)); });
+  }
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
   stage_seconds_[static_cast<std::size_t>(stage)] += spent.count();
 }
 
 template <int Dim>
-template <typename Work>
-void Solver<Dim>::over_bands(Stage stage, Work work) {
-  timed(stage, [&] { workers_.for_each(bands_.count(), work); });
-}
-
-template <int Dim>
-template <typename Work>
-void Solver<Dim>::over_colours(Stage stage, Work work) {
-  timed(stage, [&] {
-    for (int colour = 0; colour < 2; ++colour) {
-      workers_.for_each(bands_.count_of(colour),
-                        [&](std::ptrdiff_t index) { work(Bands::band_of(colour, index)); });
+void Solver<Dim>::prepare() {
+  if (is_prepared_) {
+    return;
+  }
+  const bool strains_first = integrator_ == Integrator::usf;
+  platens_.set_time(strains_first ? time() : end_of_step(steps_done_));
+  over_bands(Stage::prepare, [&](std::ptrdiff_t band) {
+    grid_.clear(bands_.cleared_rows(band), layer_);
+    if (strains_first) {
+      kernels_.scatter_mass_momentum(p_, now(), bands_.rows(band));
+      find_strain_velocity(now().momentum, bands_.completed_rows(band));
+    } else {
+      kernels_.scatter_all(p_, now(), bands_.rows(band));
+      advance_nodes(now(), bands_.completed_rows(band));
     }
   });
+  is_prepared_ = true;
 }
 
 template <int Dim>
-void Solver<Dim>::scatter_all() {
-  over_colours(Stage::scatter, [&](std::ptrdiff_t band) {
-    grid_.clear(bands_.cleared_rows(band));
-    kernels_.scatter_all(p_, g_, bands_.rows(band));
-  });
-}
-
-template <int Dim>
-void Solver<Dim>::scatter_mass_momentum() {
-  over_colours(Stage::scatter, [&](std::ptrdiff_t band) {
-    grid_.clear(bands_.cleared_rows(band));
-    kernels_.scatter_mass_momentum(p_, g_, bands_.rows(band));
-  });
-}
-
-template <int Dim>
-void Solver<Dim>::scatter_force() {
-  over_colours(Stage::scatter,
-               [&](std::ptrdiff_t band) { kernels_.scatter_force(p_, g_, bands_.rows(band)); });
-}
-
-template <int Dim>
-void Solver<Dim>::advance_nodes() {
-  platens_.set_time(time() + dt_);
-  over_bands(Stage::nodes, [&](std::ptrdiff_t band) {
-    const Range rows = bands_.rows(band);
-    kernels_.update_nodes(g_, node_update_, rows, ledger_.nodes());
-    platens_.impose(g_, dt_, node_update_.least_mass, rows, ledger_.platens());
-  });
-}
-
-template <int Dim>
-void Solver<Dim>::scatter_new_momentum() {
-  over_colours(Stage::second_scatter, [&](std::ptrdiff_t band) {
+void Solver<Dim>::accelerate() {
+  ledger_.add_nodes();
+  platens_.set_time(end_of_step(steps_done_));
+  over_bands(Stage::first_pass, [&](std::ptrdiff_t band) {
     grid_.clear_second_field(bands_.cleared_rows(band));
-    for_each_row(bands_.rows(band), [&](Range row) {
-      accelerate(row);
-      kernels_.scatter_second_momentum(p_, g_, row);
-    });
+    kernels_.accelerate(p_, now(), now(), update_, bands_.rows(band));
+    find_strain_velocity(now().second_field, bands_.completed_rows(band));
   });
 }
 
 template <int Dim>
-void Solver<Dim>::find_strain_velocity(const double* const* momentum) {
-  over_bands(Stage::second_nodes, [&](std::ptrdiff_t band) {
-    const Range rows = bands_.rows(band);
-    kernels_.divide_by_mass(g_, momentum, node_update_.least_mass, rows);
-    platens_.impose_on_second_field(g_, rows);
+void Solver<Dim>::strain_and_move() {
+  platens_.set_time(end_of_step(steps_done_ + 1));
+  over_bands(Stage::second_pass, [&](std::ptrdiff_t band) {
+    grid_.clear(bands_.cleared_rows(band), 1 - layer_);
+    kernels_.strain_and_move(p_, now(), next(), update_, bands_.rows(band));
+    advance_nodes(next(), bands_.completed_rows(band));
   });
 }
 
 template <int Dim>
-template <typename Work>
-void Solver<Dim>::on_particles(Work work) {
-  over_bands(Stage::particles, [&](std::ptrdiff_t band) { for_each_row(bands_.rows(band), work); });
+void Solver<Dim>::accelerate_strain_and_move() {
+  ledger_.add_nodes();
+  platens_.set_time(end_of_step(steps_done_ + 1));
+  over_bands(Stage::first_pass, [&](std::ptrdiff_t band) {
+    grid_.clear(bands_.cleared_rows(band), 1 - layer_);
+    kernels_.accelerate_strain_and_move(p_, now(), next(), update_, bands_.rows(band));
+    advance_nodes(next(), bands_.completed_rows(band));
+  });
 }
 
 template <int Dim>
-void Solver<Dim>::accelerate(Range bins) {
-  kernels_.gather_velocity(p_, g_, dt_, bins);
+void Solver<Dim>::strain() {
+  platens_.set_time(end_of_step(steps_done_));
+  over_bands(Stage::first_pass, [&](std::ptrdiff_t band) {
+    grid_.clear_force(bands_.cleared_rows(band), layer_);
+    kernels_.strain(p_, now(), now(), update_, bands_.rows(band));
+    advance_nodes(now(), bands_.completed_rows(band));
+  });
+  ledger_.add_nodes();
 }
 
 template <int Dim>
-void Solver<Dim>::strain(Range bins, const double* const* velocity) {
-  kernels_.update_stress(p_, g_, velocity, materials_.data(), dt_,
-                         static_cast<std::int32_t>(steps_done_ + 1), bins, ledger_.particles());
+void Solver<Dim>::accelerate_and_move() {
+  over_bands(Stage::second_pass, [&](std::ptrdiff_t band) {
+    grid_.clear(bands_.cleared_rows(band), 1 - layer_);
+    kernels_.accelerate_and_move(p_, now(), next(), update_, bands_.rows(band));
+    find_strain_velocity(next().momentum, bands_.completed_rows(band));
+  });
+}
+
+// On rows that no band adds to any more, while they are in cache.
+
+template <int Dim>
+void Solver<Dim>::advance_nodes(const View& grid, Range rows) {
+  kernels_.update_nodes(grid, node_update_, rows, ledger_.nodes());
+  platens_.impose(grid, dt_, node_update_.least_mass, rows, ledger_.platens());
 }
 
 template <int Dim>
-void Solver<Dim>::move(Range bins) {
-  kernels_.gather_position(p_, g_, dt_, bins, ledger_.reach());
+void Solver<Dim>::find_strain_velocity(const double* const* momentum, Range rows) {
+  kernels_.divide_by_mass(now(), momentum, node_update_.least_mass, rows);
+  platens_.impose_on_second_field(now(), rows);
 }
 
 // ---- after the step -------------------------------------------------------------------------
@@ -232,12 +213,14 @@ void Solver<Dim>::move(Range bins) {
 template <int Dim>
 void Solver<Dim>::finish_step() {
   ++steps_done_;
-  ledger_.add_step(dt_);
+  layer_ = 1 - layer_;
+  ledger_.add_particles(dt_);
   if (!first_failure_ && ledger_.failed_tension() + ledger_.failed_shear() > 0) {
     note_first_failure();
   }
   stop_if_unphysical();
   // Three nodes per axis carry all weights up to here, from the node a particle was binned to.
+  // What was scattered beyond is not used: the next step prepares its grid from the new bins.
   if (ledger_.farthest() > 1.0 - grid_.particle_half_size()) {
     rebin();
   }
@@ -294,6 +277,7 @@ void Solver<Dim>::rebin() {
     throw PhysicsError(fmt::format("step {}: {}", steps_done_, error.what()));
   }
   p_ = particles_.view();
+  is_prepared_ = false;
   ++rebins_;
 }
 

@@ -18,9 +18,8 @@
 namespace rgimp {
 
 /// Parts of a step whose time is kept apart.
-enum class Stage { scatter, nodes, second_scatter, second_nodes, particles };
-inline constexpr std::array kStageNames = {"P2G", "nodes", "second P2G", "second nodes",
-                                           "G2P and stress"};
+enum class Stage { prepare, first_pass, second_pass };
+inline constexpr std::array kStageNames = {"P2G after binning", "first pass", "second pass"};
 
 /// The state of a simulation and its step.
 template <int Dim>
@@ -44,34 +43,33 @@ class Solver {
   const std::array<double, kStageNames.size()>& stage_seconds() const { return stage_seconds_; }
 
   HistoryRow history();
+  /// To read, and to change before rebin().
   Particles<Dim>& particles() { return particles_; }
   Grid<Dim>& grid() { return grid_; }
   std::size_t memory_bytes() const;
 
  private:
   using Range = kernels::RowRange;
+  using View = kernels::GridView<Dim>;
 
   // Phases of a step; each returns when all bands are done.
-  void scatter_all();
-  void scatter_mass_momentum();
-  void scatter_force();
-  void advance_nodes();
-  void scatter_new_momentum();
-  void find_strain_velocity(const double* const* momentum);
-  template <typename Work>
-  void on_particles(Work work);
+  void prepare();
+  void accelerate();
+  void strain_and_move();
+  void accelerate_strain_and_move();
+  void strain();
+  void accelerate_and_move();
 
-  // Parts of a phase, on one band's bins.
-  void accelerate(Range bins);
-  void strain(Range bins, const double* const* velocity);
-  void move(Range bins);
+  // Parts of a phase, on rows of nodes.
+  void advance_nodes(const View& grid, Range rows);
+  void find_strain_velocity(const double* const* momentum, Range rows);
 
-  template <typename Work>
-  void timed(Stage stage, Work work);
   template <typename Work>
   void over_bands(Stage stage, Work work);
-  template <typename Work>
-  void over_colours(Stage stage, Work work);
+
+  const View& now() const { return layers_[layer_]; }
+  const View& next() const { return layers_[1 - layer_]; }
+  double end_of_step(std::int64_t step) const { return dt_ * static_cast<double>(step) + dt_; }
 
   void finish_step();
   void note_first_failure();
@@ -91,7 +89,10 @@ class Solver {
   double dt_;
   kernels::NodeUpdate<Dim> node_update_{};
   kernels::ParticleView<Dim> p_{};
-  kernels::GridView<Dim> g_{};
+  std::array<View, 2> layers_{};
+  int layer_ = 0;
+  kernels::ParticleUpdate update_{};
+  bool is_prepared_ = false;  // the grid holds what the next step starts from
 
   std::int64_t steps_done_ = 0;
   std::int64_t rebins_ = 0;

@@ -22,42 +22,28 @@ Gathered<Dim> gather(const Stencil<Dim>& stencil, const Shape<Dim>& shape,
   return sum;
 }
 
+/// v += dt sum S a [Eq. 6].
 template <int Dim>
-void gather_velocity(const ParticleView<Dim>& particles, const GridView<Dim>& grid, double dt,
-                     RowRange bins) {
-  const Shape<Dim> shape(grid);
-  for_each_particle(particles, grid, bins,
-                    [&](std::size_t p, const BinNode<Dim>& bin, std::size_t) {
-                      const Gathered<Dim> acceleration =
-                          gather(stencil_of(particles, p, bin, shape), shape, grid.force);
-                      for (int a = 0; a < Dim; ++a) {
-                        particles.velocity[a][p] += dt * acceleration.value[a];
-                      }
-                    });
+void accelerate(const ParticleView<Dim>& particles, std::size_t p, const Stencil<Dim>& stencil,
+                const Shape<Dim>& shape, const GridView<Dim>& grid, double dt) {
+  const Gathered<Dim> acceleration = gather(stencil, shape, grid.force);
+  for (int a = 0; a < Dim; ++a) {
+    particles.velocity[a][p] += dt * acceleration.value[a];
+  }
 }
 
+/// x += dt sum S v [Eq. 6], and how far that took it.
 template <int Dim>
-void gather_position(const ParticleView<Dim>& particles, const GridView<Dim>& grid, double dt,
-                     RowRange bins, Reach* by_row) {
-  const Shape<Dim> shape(grid);
-  for (std::ptrdiff_t row = bins.first; row < bins.last; ++row) {
-    Reach reach{};
-    for_each_particle(
-        particles, grid, {row, row + 1}, [&](std::size_t p, const BinNode<Dim>& bin, std::size_t) {
-          const Gathered<Dim> velocity =
-              gather(stencil_of(particles, p, bin, shape), shape, grid.momentum);
-          double step2 = 0.0;
-          for (int a = 0; a < Dim; ++a) {
-            const double step = dt * velocity.value[a];
-            particles.position[a][p] += step;
-            step2 += step * step;
-            reach.distance =
-                std::max(reach.distance, std::abs(node_distance(particles, p, bin, shape, a)));
-          }
-          reach.step = std::max(reach.step, std::sqrt(step2));
-        });
-    by_row[row] = reach;
+void move(const ParticleView<Dim>& particles, std::size_t p, const BinNode<Dim>& bin,
+          const Gathered<Dim>& velocity, const Shape<Dim>& shape, double dt, Reach& reach) {
+  double step2 = 0.0;
+  for (int a = 0; a < Dim; ++a) {
+    const double step = dt * velocity.value[a];
+    particles.position[a][p] += step;
+    step2 += step * step;
+    reach.distance = std::max(reach.distance, std::abs(node_distance(particles, p, bin, shape, a)));
   }
+  reach.step = std::max(reach.step, std::sqrt(step2));
 }
 
 /// value[a][b] = d field_a / d x_b, 1/s for a velocity.

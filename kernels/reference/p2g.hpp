@@ -40,62 +40,48 @@ void add_momentum(const ParticleView<Dim>& particles, std::size_t p, double shar
   }
 }
 
-/// Calls visit(particle, node, S, grad S) for all nodes of all particles of the bin rows.
-template <int Dim, typename Visit>
-void for_each_pair(const ParticleView<Dim>& particles, const GridView<Dim>& grid, RowRange bins,
-                   Visit visit) {
-  const Shape<Dim> shape(grid);
-  for_each_particle(
-      particles, grid, bins, [&](std::size_t p, const BinNode<Dim>& bin, std::size_t) {
-        for_each_node(stencil_of(particles, p, bin, shape), shape,
-                      [&](std::ptrdiff_t node, double weight, const double(&gradient)[Dim]) {
-                        visit(p, node, weight, gradient);
-                      });
-      });
-}
-
+/// m, m v and -V (sigma - q I) grad S of one particle to its nodes [Eq. 8-10].
 template <int Dim>
-void scatter_all(const ParticleView<Dim>& particles, const GridView<Dim>& grid, RowRange bins) {
-  const Shape<Dim> shape(grid);
-  for_each_particle(
-      particles, grid, bins, [&](std::size_t p, const BinNode<Dim>& bin, std::size_t) {
-        const LoadedStress<Dim> loaded(particles, p);
-        for_each_node(stencil_of(particles, p, bin, shape), shape,
-                      [&](std::ptrdiff_t node, double weight, const double(&gradient)[Dim]) {
-                        const double share = weight * particles.mass[p];
-                        grid.mass[node] += share;
-                        add_momentum(particles, p, share, grid.momentum, node);
-                        add_force(loaded, gradient, grid.force, node);
-                      });
-      });
-}
-
-template <int Dim>
-void scatter_mass_momentum(const ParticleView<Dim>& particles, const GridView<Dim>& grid,
-                           RowRange bins) {
-  for_each_pair(particles, grid, bins,
-                [&](std::size_t p, std::ptrdiff_t node, double weight, const double(&)[Dim]) {
+void scatter_all_of(const ParticleView<Dim>& particles, std::size_t p, const Stencil<Dim>& stencil,
+                    const Shape<Dim>& shape, const GridView<Dim>& grid) {
+  const LoadedStress<Dim> loaded(particles, p);
+  for_each_node(stencil, shape,
+                [&](std::ptrdiff_t node, double weight, const double(&gradient)[Dim]) {
                   const double share = weight * particles.mass[p];
                   grid.mass[node] += share;
                   add_momentum(particles, p, share, grid.momentum, node);
+                  add_force(loaded, gradient, grid.force, node);
                 });
 }
 
 template <int Dim>
-void scatter_force(const ParticleView<Dim>& particles, const GridView<Dim>& grid, RowRange bins) {
-  for_each_pair(particles, grid, bins,
-                [&](std::size_t p, std::ptrdiff_t node, double, const double(&gradient)[Dim]) {
-                  add_force(LoadedStress<Dim>(particles, p), gradient, grid.force, node);
-                });
+void scatter_mass_momentum_of(const ParticleView<Dim>& particles, std::size_t p,
+                              const Stencil<Dim>& stencil, const Shape<Dim>& shape,
+                              const GridView<Dim>& grid) {
+  for_each_node(stencil, shape, [&](std::ptrdiff_t node, double weight, const double(&)[Dim]) {
+    const double share = weight * particles.mass[p];
+    grid.mass[node] += share;
+    add_momentum(particles, p, share, grid.momentum, node);
+  });
 }
 
 template <int Dim>
-void scatter_second_momentum(const ParticleView<Dim>& particles, const GridView<Dim>& grid,
-                             RowRange bins) {
-  for_each_pair(particles, grid, bins,
-                [&](std::size_t p, std::ptrdiff_t node, double weight, const double(&)[Dim]) {
-                  add_momentum(particles, p, weight * particles.mass[p], grid.second_field, node);
-                });
+void scatter_second_momentum_of(const ParticleView<Dim>& particles, std::size_t p,
+                                const Stencil<Dim>& stencil, const Shape<Dim>& shape,
+                                const GridView<Dim>& grid) {
+  for_each_node(stencil, shape, [&](std::ptrdiff_t node, double weight, const double(&)[Dim]) {
+    add_momentum(particles, p, weight * particles.mass[p], grid.second_field, node);
+  });
+}
+
+template <int Dim>
+void scatter_force_of(const ParticleView<Dim>& particles, std::size_t p,
+                      const Stencil<Dim>& stencil, const Shape<Dim>& shape,
+                      const GridView<Dim>& grid) {
+  const LoadedStress<Dim> loaded(particles, p);
+  for_each_node(stencil, shape, [&](std::ptrdiff_t node, double, const double(&gradient)[Dim]) {
+    add_force(loaded, gradient, grid.force, node);
+  });
 }
 
 }  // namespace rgimp::kernels::reference

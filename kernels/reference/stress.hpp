@@ -78,20 +78,4 @@ inline void update_particle(const ParticleView<2>& particles, std::size_t p,
   particles.stress[3][p] = stress.xy;
 }
 
-inline void update_stress(const ParticleView<2>& particles, const GridView<2>& grid,
-                          const double* const* field, const MaterialConstants* materials, double dt,
-                          std::int32_t step, RowRange bins, ParticleSums* by_row) {
-  const Shape<2> shape(grid);
-  for (std::ptrdiff_t row = bins.first; row < bins.last; ++row) {
-    ParticleSums sums{};
-    for_each_particle(particles, grid, {row, row + 1},
-                      [&](std::size_t p, const BinNode<2>& bin, std::size_t slot) {
-                        const Stencil<2> stencil = stencil_of(particles, p, bin, shape);
-                        update_particle(particles, p, gradient_at(stencil, shape, field),
-                                        materials[particles.slot_material[slot]], dt, step, sums);
-                      });
-    by_row[row] = sums;
-  }
-}
-
 }  // namespace rgimp::kernels::reference

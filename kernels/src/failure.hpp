@@ -1,6 +1,6 @@
 #pragma once
 
-#include "shape.hpp"
+#include "places.hpp"
 
 namespace rgimp::kernels {
 namespace {
@@ -12,8 +12,6 @@ struct PlaneStress {
   Batch zz;
   Batch xy;
 };
-
-using Mask = xsimd::batch_bool<double, Batch::arch_type>;
 
 inline Batch trace(const PlaneStress& s) {
   return s.xx + s.yy + s.zz;
@@ -30,41 +28,48 @@ inline Circle circle_of(const PlaneStress& s) {
   return {Batch(0.5) * (s.xx + s.yy), fused(half, half, s.xy * s.xy)};
 }
 
-/// Limits of a material, with what the root-free test divides by.
+/// Limits of a material as bounds on the radius r of Mohr's circle about the centre c.
 struct FailureTest {
-  explicit FailureTest(const FailureLimits& given)
-      : limits(given),
-        per_major(1.0 / given.shear_major),
-        per_minor(1.0 / given.shear_minor),
-        per_both(1.0 / (given.shear_major + given.shear_minor)) {}
+  explicit FailureTest(const FailureLimits& l)
+      : tension_per_trace(l.tension_per_trace * kNear),
+        tension(l.tension * kNear),
+        trace(l.trace),
+        in_plane_slope((l.shear_minor - l.shear_major) / (l.shear_major + l.shear_minor) * kNear),
+        in_plane(l.shear / (l.shear_major + l.shear_minor) * kNear),
+        zz_major_slope(-l.shear_major / l.shear_minor * kNear),
+        zz_major(l.shear / l.shear_minor * kNear),
+        zz_minor_slope(l.shear_minor / l.shear_major * kNear),
+        zz_minor(l.shear / l.shear_major * kNear) {}
 
-  FailureLimits limits;
-  double per_major;
-  double per_minor;
-  double per_both;
+  /// Lanes this close to a limit go on to the exact test: the two may round differently.
+  static constexpr double kNear = 1.0 - 1e-9;
+
+  double tension_per_trace;
+  double tension;
+  double trace;
+  double in_plane_slope;
+  double in_plane;
+  double zz_major_slope;
+  double zz_major;
+  double zz_minor_slope;
+  double zz_minor;
 };
 
-/// A limit a s1 - b s3 >= c on principal stresses is a bound on the radius r for each pair that can
-/// be (s1, s3): centre +- r, or one of them and zz. So r >= bound, the least of the bounds, decides
-/// without a root; the two sides may round differently, hence `kNear`: lanes at the limit within
-/// it go on to the exact test.
+/// A limit a s1 - b s3 >= k on principal stresses is a bound on the radius r for each pair that can
+/// be (s1, s3): c +- r, or one of them and zz. So r >= bound, the least of the bounds, decides
+/// without a root; r^2 >= bound |bound| also where the bound is negative.
 inline Mask may_fail(const PlaneStress& s, const Circle& circle, const FailureTest& test) {
-  constexpr double kNear = 1.0 - 1e-9;
-  const FailureLimits& l = test.limits;
+  const Batch near(FailureTest::kNear);
   const Batch tr = trace(s);
-  const Batch tension = fused(Batch(l.tension_per_trace), tr, Batch(l.tension));
-  const Batch shear(l.shear);
-  const Batch in_plane =
-      fused(Batch(l.shear_minor - l.shear_major), circle.centre, shear) * Batch(test.per_both);
-  const Batch zz_major =
-      fused(Batch(-l.shear_major), s.zz, shear) * Batch(test.per_minor) + circle.centre;
-  const Batch zz_minor =
-      fused(Batch(l.shear_minor), s.zz, shear) * Batch(test.per_major) - circle.centre;
+  const Batch centre = circle.centre * near;
+  const Batch tension = fused(Batch(test.tension_per_trace), tr, Batch(test.tension));
+  const Batch in_plane = fused(Batch(test.in_plane_slope), circle.centre, Batch(test.in_plane));
+  const Batch zz_major = fused(Batch(test.zz_major_slope), s.zz, Batch(test.zz_major)) + centre;
+  const Batch zz_minor = fused(Batch(test.zz_minor_slope), s.zz, Batch(test.zz_minor)) - centre;
   const Batch bound =
-      xsimd::min(xsimd::min(tension - circle.centre, in_plane), xsimd::min(zz_major, zz_minor)) *
-      Batch(kNear);
-  return (circle.radius2 >= bound * bound) | (bound <= Batch(0.0)) |
-         (s.zz >= tension * Batch(kNear)) | (tr >= Batch(l.trace));
+      xsimd::min(xsimd::min(tension - centre, in_plane), xsimd::min(zz_major, zz_minor));
+  return (circle.radius2 >= bound * xsimd::abs(bound)) | (s.zz >= tension) |
+         (tr >= Batch(test.trace));
 }
 
 /// Tension first, then shear, on the principal stresses of the whole tensor [Eq. 20, 21].

@@ -1,25 +1,29 @@
 #pragma once
 
-#include "g2p.hpp"
 #include "nodes.hpp"
-#include "p2g.hpp"
+#include "pass.hpp"
 #include "rgimp/kernels/table.hpp"
-#include "stress.hpp"
 
 /// All kernels of one ISA. Include a lanes_*.hpp first: it says what a Batch is.
 namespace rgimp::kernels {
 namespace {
 
 constexpr KernelTable<2> make_table() {
-  return {.scatter_all = scatter_all<2>,
-          .scatter_mass_momentum = scatter_mass_momentum<2>,
-          .scatter_force = scatter_force<2>,
-          .scatter_second_momentum = scatter_second_momentum<2>,
+  using enum Content;
+  constexpr Changes kAccelerate{.velocity = true, .strain = false, .position = false};
+  constexpr Changes kStrain{.velocity = false, .strain = true, .position = false};
+  constexpr Changes kStrainAndMove{.velocity = false, .strain = true, .position = true};
+  constexpr Changes kAccelerateAndMove{.velocity = true, .strain = false, .position = true};
+  constexpr Changes kAll{.velocity = true, .strain = true, .position = true};
+  return {.scatter_all = scatter_only<2, mass_momentum, force>,
+          .scatter_mass_momentum = scatter_only<2, mass_momentum>,
+          .accelerate = pass<2, kAccelerate, momentum>,
+          .strain_and_move = pass<2, kStrainAndMove, mass_momentum, force>,
+          .accelerate_strain_and_move = pass<2, kAll, mass_momentum, force>,
+          .strain = pass<2, kStrain, force>,
+          .accelerate_and_move = pass<2, kAccelerateAndMove, mass_momentum>,
           .update_nodes = update_nodes<2>,
-          .divide_by_mass = divide_by_mass<2>,
-          .gather_velocity = gather_velocity<2>,
-          .gather_position = gather_position<2>,
-          .update_stress = update_stress};
+          .divide_by_mass = divide_by_mass<2>};
 }
 
 }  // namespace

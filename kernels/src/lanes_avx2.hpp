@@ -24,5 +24,9 @@ inline Batch shift_down(Batch here, Batch after) {
   return _mm256_shuffle_pd(here, middle, 0b0101);
 }
 
+inline double first_lane(Batch values) {
+  return _mm256_cvtsd_f64(values);
+}
+
 }  // namespace
 }  // namespace rgimp::kernels

@@ -24,5 +24,9 @@ inline Batch shift_down(Batch here, Batch after) {
       _mm512_alignr_epi64(_mm512_castpd_si512(after), _mm512_castpd_si512(here), 1));
 }
 
+inline double first_lane(Batch values) {
+  return _mm512_cvtsd_f64(values);
+}
+
 }  // namespace
 }  // namespace rgimp::kernels

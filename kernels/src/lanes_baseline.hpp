@@ -22,5 +22,9 @@ inline Batch shift_down(Batch here, Batch after) {
   return _mm_shuffle_pd(here, after, 0b01);
 }
 
+inline double first_lane(Batch values) {
+  return _mm_cvtsd_f64(values);
+}
+
 }  // namespace
 }  // namespace rgimp::kernels

@@ -1,9 +1,12 @@
 #pragma once
 
-#include "scatter_sums.hpp"
+#include "places.hpp"
 
-/// P2G: nodes are summed in registers over the slots of a group and go to memory once a group (see
-/// scatter_sums.hpp).
+/// P2G of a group of bins. Eight bins side by side give, per field and node row, three rows of sums
+/// in registers: for the nodes below, at and above them along x. Shifted onto the same nodes they
+/// reach memory once a group, in whole aligned groups but for the one node the group shares with
+/// the one before; overlapping unaligned read-modify-writes instead cost a prototype 6.4 ns a
+/// particle against 2.5 (stores cannot be forwarded to such loads).
 namespace rgimp::kernels {
 namespace {
 
@@ -13,267 +16,255 @@ enum class Content { mass_momentum, force, momentum };
 template <int Dim, Content What>
 constexpr int kFields = What == Content::mass_momentum ? Dim + 1 : Dim;
 
-/// Slots whose weights are kept at a time; groups with more find theirs anew for every row.
-constexpr std::size_t kRound = 16;
-
+/// What a batch of particles gives to its nodes, before weights.
 template <int Dim>
-struct SlotWeights {
+struct Terms {
   AxisWeights axis[Dim];
+  Batch mass;
+  Batch momentum[Dim];                   // m v
+  Batch loaded[kStressComponents<Dim>];  // -(V sigma - V q I) / L [Eq. 10]; no zz in the plane
 };
 
-/// Product of the weights along all axes but x, and with the slope along one of them.
-template <int Dim>
-struct RowWeights {
-  Batch value;
-  Batch slope[Dim];  // [0] unused
+template <Content... Whats>
+constexpr bool kScattersForce = ((Whats == Content::force) || ...);
+template <Content... Whats>
+constexpr bool kScattersMomentum = ((Whats != Content::force) || ...);
+
+template <int Dim, Content... Whats>
+inline void find_terms(const ParticleView<Dim>& p, std::size_t index,
+                       const BinOffsets<Dim>& offsets, const ShapeConstants<Dim>& shape,
+                       Terms<Dim>& terms) {
+  const Places<Dim> places(p, index, offsets, shape);
+#pragma GCC unroll 3
+  for (int a = 0; a < Dim; ++a) {
+    find_axis_weights(places.axis[a], shape, terms.axis[a]);
+  }
+  if constexpr (kScattersMomentum<Whats...>) {
+    terms.mass = Batch::load_aligned(p.mass + index);
+#pragma GCC unroll 3
+    for (int a = 0; a < Dim; ++a) {
+      terms.momentum[a] = terms.mass * Batch::load_aligned(p.velocity[a] + index);
+    }
+  }
+  if constexpr (kScattersForce<Whats...>) {
+    const Batch volume = Batch::load_aligned(p.volume + index) * Batch(-shape.cells_per_metre);
+    const Batch viscous =
+        Batch::load_aligned(p.viscous_energy + index) * Batch(shape.cells_per_metre);
+#pragma GCC unroll 6
+    for (int c = 0; c < kStressComponents<Dim>; ++c) {
+      if (Dim == 2 && c == 2) {
+        continue;  // zz pulls at no node of the plane
+      }
+      const Batch stress = Batch::load_aligned(p.stress[c] + index);
+      terms.loaded[c] = c < 3 ? fused(volume, stress, viscous) : volume * stress;
+    }
+  }
+}
+
+/// Sums of fields for the nodes below, at and above a batch of bins along x.
+template <int Count>
+struct Sums {
+  Sums() {
+#pragma GCC unroll 4
+    for (int f = 0; f < Count; ++f) {
+#pragma GCC unroll 3
+      for (int k = 0; k < 3; ++k) {
+        field[f][k] = Batch(0.0);
+      }
+    }
+  }
+  Batch field[Count][3];
 };
 
+/// Weights along all axes but x of one row of nodes.
 template <int Dim>
-inline RowWeights<Dim> row_weights(const SlotWeights<Dim>& weights, int row) {
-  RowWeights<Dim> w;
+inline Batch row_weight(const Terms<Dim>& terms, int row) {
   if constexpr (Dim == 2) {
-    w.value = weights.axis[1].value[row];
-    w.slope[1] = weights.axis[1].slope[row];
+    return terms.axis[1].value[row];
   } else {
-    const AxisWeights& y = weights.axis[1];
-    const AxisWeights& z = weights.axis[2];
-    w.value = y.value[row % 3] * z.value[row / 3];
-    w.slope[1] = y.slope[row % 3] * z.value[row / 3];
-    w.slope[2] = y.value[row % 3] * z.slope[row / 3];
+    return terms.axis[1].value[row % 3] * terms.axis[2].value[row / 3];
   }
-  return w;
 }
 
-/// Adds a slot's particles to the sums of one node row: m S and m v S [Eq. 8, 9].
+inline void add_weighted(Batch value, const AxisWeights& x, Batch (&sums)[3]) {
+#pragma GCC unroll 3
+  for (int k = 0; k < 3; ++k) {
+    sums[k] = fused(value, x.value[k], sums[k]);
+  }
+}
+
+/// m S and m v S of one node row [Eq. 8, 9].
 template <int Dim, Content What>
-inline void add_momentum(const ParticleView<Dim>& particles, std::size_t index,
-                         const SlotWeights<Dim>& weights, int row,
-                         Batch (&sums)[kFields<Dim, What>][3]) {
-  const Batch mass = Batch::load_aligned(particles.mass + index) * row_weights(weights, row).value;
-  constexpr int kFirstMomentum = What == Content::mass_momentum ? 1 : 0;
+inline void add_momentum(const Terms<Dim>& terms, int row, Sums<kFields<Dim, What>>& sums) {
+  constexpr int kFirst = What == Content::mass_momentum ? 1 : 0;
+  const Batch weight = row_weight(terms, row);
   if constexpr (What == Content::mass_momentum) {
-#pragma GCC unroll 3
-    for (int k = 0; k < 3; ++k) {
-      sums[0][k] = fused(mass, weights.axis[0].value[k], sums[0][k]);
-    }
+    add_weighted(weight * terms.mass, terms.axis[0], sums.field[0]);
   }
 #pragma GCC unroll 3
   for (int a = 0; a < Dim; ++a) {
-    const Batch momentum = mass * Batch::load_aligned(particles.velocity[a] + index);
-#pragma GCC unroll 3
-    for (int k = 0; k < 3; ++k) {
-      sums[kFirstMomentum + a][k] =
-          fused(momentum, weights.axis[0].value[k], sums[kFirstMomentum + a][k]);
-    }
+    add_weighted(weight * terms.momentum[a], terms.axis[0], sums.field[kFirst + a]);
   }
 }
 
-/// Adds a slot's internal force -(V sigma - V q I) grad S [Eq. 10].
+/// -(V sigma - V q I) grad S of one node row but for the nodes at the bins, which get the rest:
+/// weights along x sum to one and slopes to zero, so sums.field[a][1] only collects what all three
+/// nodes share (see finish_force) [Eq. 10].
 template <int Dim>
-inline void add_force(const ParticleView<Dim>& particles, std::size_t index,
-                      const SlotWeights<Dim>& weights, int row, Batch (&sums)[Dim][3]) {
-  const RowWeights<Dim> w = row_weights(weights, row);
-  const Batch minus_volume = -Batch::load_aligned(particles.volume + index);
-  const Batch viscous = Batch::load_aligned(particles.viscous_energy + index);
+inline void add_force(const Terms<Dim>& terms, int row, Sums<Dim>& sums) {
+  const Batch weight = row_weight(terms, row);
 #pragma GCC unroll 3
   for (int a = 0; a < Dim; ++a) {
-    Batch loaded[Dim];
-#pragma GCC unroll 3
-    for (int b = 0; b < Dim; ++b) {
-      const Batch stress = Batch::load_aligned(particles.stress[kStressColumn[a][b]] + index);
-      loaded[b] = a == b ? fused(minus_volume, stress, viscous) : minus_volume * stress;
+    const Batch along = terms.loaded[kStressColumn[a][0]] * weight;
+    Batch across;
+    if constexpr (Dim == 2) {
+      across = terms.loaded[kStressColumn[a][1]] * terms.axis[1].slope[row];
+    } else {
+      const AxisWeights& y = terms.axis[1];
+      const AxisWeights& z = terms.axis[2];
+      across = fused(terms.loaded[kStressColumn[a][2]], y.value[row % 3] * z.slope[row / 3],
+                     terms.loaded[kStressColumn[a][1]] * y.slope[row % 3] * z.value[row / 3]);
     }
-    const Batch along = loaded[0] * w.value;
-    Batch across = loaded[1] * w.slope[1];
-    if constexpr (Dim == 3) {
-      across = fused(loaded[2], w.slope[2], across);
-    }
-#pragma GCC unroll 3
-    for (int k = 0; k < 3; ++k) {
-      sums[a][k] = fused(along, weights.axis[0].slope[k],
-                         fused(across, weights.axis[0].value[k], sums[a][k]));
+    sums.field[a][1] = sums.field[a][1] + across;
+#pragma GCC unroll 2
+    for (int k = 0; k < 3; k += 2) {
+      sums.field[a][k] = fused(along, terms.axis[0].slope[k],
+                               fused(across, terms.axis[0].value[k], sums.field[a][k]));
     }
   }
 }
-
-/// Non-empty groups of a row: first to one past the last.
-struct ColumnRange {
-  std::ptrdiff_t first;
-  std::ptrdiff_t last;
-};
 
 template <int Dim>
-ColumnRange occupied_columns(const ParticleView<Dim>& particles, const GridView<Dim>& grid,
-                             std::ptrdiff_t row) {
-  const std::uint32_t* begin = particles.group_begin + row * grid.groups_in_row;
-  ColumnRange columns{0, grid.groups_in_row};
-  while (columns.first < columns.last && begin[columns.first] == begin[columns.first + 1]) {
-    ++columns.first;
+inline void finish_force(Sums<Dim>& sums) {
+#pragma GCC unroll 3
+  for (int a = 0; a < Dim; ++a) {
+    sums.field[a][1] = sums.field[a][1] - (sums.field[a][0] + sums.field[a][2]);
   }
-  while (columns.first < columns.last && begin[columns.last - 1] == begin[columns.last]) {
-    --columns.last;
-  }
-  return columns;
 }
 
-/// Scatters the contents named, row by row of bins, into `field` (in the order of the contents).
+/// Scatters the contents named, group by group along rows of bins, into `field` (in the order of
+/// the contents).
 template <int Dim, Content... Whats>
 class Scatter {
  public:
   static constexpr int kCount = (kFields<Dim, Whats> + ...);
 
-  Scatter(const ParticleView<Dim>& particles, const GridView<Dim>& grid,
+  Scatter(const ParticleView<Dim>& particles, const ShapeConstants<Dim>& shape,
           double* const (&field)[kCount])
-      : particles_(particles), grid_(grid), shape_(grid), field_(field) {}
+      : particles_(particles), shape_(shape) {
+    for (int f = 0; f < kCount; ++f) {
+      field_[f] = field[f];
+    }
+  }
 
-  void row(std::ptrdiff_t row) {
-    const ColumnRange columns = occupied_columns(particles_, grid_, row);
-    if (columns.first == columns.last) {
-      return;
+  /// The first group of a row that holds particles. Unless it is the row's first, its lowest nodes
+  /// belong to the group before.
+  void begin_row() {
+    for (auto& row : carry_) {
+      for (auto& upper : row) {
+        Batch(0.0).store_aligned(upper.lane);
+      }
     }
-    *here_ = GroupSums{};
-    for (std::ptrdiff_t column = columns.first; column < columns.last; ++column) {
-      const std::uint32_t* begin = particles_.group_begin + row * grid_.groups_in_row + column;
-      sum_group(GroupPlace<Dim>(grid_, row, column), {begin[0], begin[1]},
-                column > 0 ? Before::group : Before::edge);
+  }
+
+  /// Finds the terms of a batch of lanes of a round of slots.
+  void find(const GroupPlace<Dim>& place, Slots round, int part) {
+    const BinOffsets<Dim> offsets = place.offsets(shape_, part);
+    for (std::size_t slot = round.first; slot < round.last; ++slot) {
+      find_terms<Dim, Whats...>(particles_, slot * kGroupWidth + part * kLanes, offsets, shape_,
+                                terms_[part][slot - round.first]);
     }
-    const GroupPlace<Dim> end(grid_, row, columns.last);
-    sum_group(end, {0, 0}, Before::group);
-    if (columns.last < grid_.groups_in_row) {
-      add_settled(end);
+  }
+
+  /// The terms of all slots must be there if they fit in a round; else they are found here.
+  void sum_group(const GroupPlace<Dim>& place, Slots slots) {
+    for (int row = 0; row < kNeighbourRows<Dim>; ++row) {
+      int first_field = 0;
+      ((sum_row<Whats>(place, slots, row, first_field), first_field += kFields<Dim, Whats>), ...);
+    }
+  }
+
+  /// What the last group gave to the node beyond it.
+  void end_row(const GroupPlace<Dim>& beyond) {
+    for (int row = 0; row < kNeighbourRows<Dim>; ++row) {
+      for (int f = 0; f < kCount; ++f) {
+        field_[f][beyond.first_node + beyond.row_offset[row]] += carry_[row][f].lane[kLanes - 1];
+      }
     }
   }
 
  private:
-  struct Slots {
-    std::size_t first;
-    std::size_t last;
-  };
-  struct GroupSums {
-    FieldSums row[kNeighbourRows<Dim>][kCount];
+  struct alignas(64) Lanes {
+    double lane[kLanes];
   };
 
-  enum class Before { group, edge };  // what lies to the left of a group
-
-  void sum_group(const GroupPlace<Dim>& place, Slots slots, Before left) {
-    GroupSums* const before = here_;
-    here_ = before == sums_ ? sums_ + 1 : sums_;
-    for (int part = 0; part < kParts; ++part) {
-      for (int row = 0; row < kNeighbourRows<Dim>; ++row) {
-        int first_field = 0;
-        ((sum_row<Whats>(place, slots, part, row, first_field, *before, left),
-          first_field += kFields<Dim, Whats>),
-         ...);
-      }
-    }
-  }
-
-  /// Sums the fields of one content of one node row over a batch of bins, and puts them down.
   template <Content What>
-  void sum_row(const GroupPlace<Dim>& place, Slots slots, int part, int row, int first_field,
-               const GroupSums& before, Before left) {
-    constexpr int kContentFields = kFields<Dim, What>;
-    Sums<kContentFields> sums;
-    const bool all_at_once = slots.last - slots.first <= kRound;
-    for (std::size_t first = slots.first; first < slots.last; first += kRound) {
-      const std::size_t last = all_at_once ? slots.last : min(slots.last, first + kRound);
-      if (!all_at_once || (row == 0 && first_field == 0)) {
-        find_weights(place, {first, last}, part);
-      }
-      for (std::size_t slot = first; slot < last; ++slot) {
-        const std::size_t index = slot * kGroupWidth + part * kLanes;
-        if constexpr (What == Content::force) {
-          add_force<Dim>(particles_, index, weights_[slot - first], row, sums.field);
-        } else {
-          add_momentum<Dim, What>(particles_, index, weights_[slot - first], row, sums.field);
-        }
+  void sum_row(const GroupPlace<Dim>& place, Slots slots, int row, int first_field) {
+    Sums<kFields<Dim, What>> sums[kParts];
+    for (int part = 0; part < kParts; ++part) {
+      add_slots<What>(place, slots, part, row, sums[part]);
+      if constexpr (What == Content::force) {
+        finish_force<Dim>(sums[part]);
       }
     }
-    const std::ptrdiff_t node_before = place.first_node + place.row_offset[row] - kGroupWidth;
 #pragma GCC unroll 4
-    for (int f = 0; f < kContentFields; ++f) {
-      settle(sums.field[f], part, before.row[row][first_field + f],
-             here_->row[row][first_field + f],
-             left == Before::group ? field_[first_field + f] + node_before : nullptr);
+    for (int f = 0; f < kFields<Dim, What>; ++f) {
+      put_down(sums, f, place, carry_[row][first_field + f].lane,
+               field_[first_field + f] + place.first_node + place.row_offset[row]);
     }
   }
 
-  static std::size_t min(std::size_t a, std::size_t b) {
-    return a < b ? a : b;
+  template <Content What>
+  void add_slots(const GroupPlace<Dim>& place, Slots slots, int part, int row,
+                 Sums<kFields<Dim, What>>& sums) {
+    if (slots.count() <= kRound) {
+      add_round<What>(slots.count(), part, row, sums);
+      return;
+    }
+    for_each_round(slots, [&](Slots round) {
+      find(place, round, part);
+      add_round<What>(round.count(), part, row, sums);
+    });
   }
 
-  void find_weights(const GroupPlace<Dim>& place, Slots slots, int part) {
-    const BinOffsets<Dim> offsets = place.offsets(shape_, part);
-    for (std::size_t slot = slots.first; slot < slots.last; ++slot) {
-      const std::size_t index = slot * kGroupWidth + part * kLanes;
-#pragma GCC unroll 3
-      for (int a = 0; a < Dim; ++a) {
-        weights_[slot - slots.first].axis[a] =
-            axis_weights(node_distance(particles_, index, offsets, shape_, a), shape_);
+  template <Content What>
+  void add_round(std::size_t slots, int part, int row, Sums<kFields<Dim, What>>& sums) {
+    for (std::size_t s = 0; s < slots; ++s) {
+      if constexpr (What == Content::force) {
+        add_force<Dim>(terms_[part][s], row, sums);
+      } else {
+        add_momentum<Dim, What>(terms_[part][s], row, sums);
       }
     }
   }
 
-  /// What the last group of a row gave to the nodes beyond it.
-  void add_settled(const GroupPlace<Dim>& place) {
-    for (int row = 0; row < kNeighbourRows<Dim>; ++row) {
-      for (int f = 0; f < kCount; ++f) {
-        double* node = field_[f] + place.first_node + place.row_offset[row];
-        for (int lane = 0; lane < kGroupWidth; ++lane) {
-          node[lane] += here_->row[row][f].settled[lane];
-        }
-      }
+  /// Adds a group's sums of one field and node row to its nodes, with the highest bin of the group
+  /// before (`carry`, then this group's), and its lowest bin's to the node below them.
+  template <int Count>
+  void put_down(const Sums<Count> (&sums)[kParts], int f, const GroupPlace<Dim>& place,
+                double* carry, double* node) {
+    Batch before = Batch::load_aligned(carry);
+    for (int part = 0; part < kParts; ++part) {
+      const Batch(&sum)[3] = sums[part].field[f];
+      const Batch after =
+          part + 1 < kParts ? sums[part + 1 < kParts ? part + 1 : part].field[f][0] : Batch(0.0);
+      const Batch all = (sum[1] + shift_up(before, sum[2])) + shift_down(sum[0], after);
+      double* const at = node + part * kLanes;
+      (Batch::load_aligned(at) + all).store_aligned(at);
+      before = sum[2];
+    }
+    before.store_aligned(carry);
+    if (place.index[0] > 0) {
+      node[-1] += first_lane(sums[0].field[f][0]);
     }
   }
 
-  const ParticleView<Dim>& particles_;
-  const GridView<Dim>& grid_;
+  ParticleView<Dim> particles_;
   ShapeConstants<Dim> shape_;
-  double* const (&field_)[kCount];
-  SlotWeights<Dim> weights_[kRound];
-  GroupSums sums_[2];
-  GroupSums* here_ = sums_;
+  double* field_[kCount];
+  Terms<Dim> terms_[kParts][kRound];
+  Lanes carry_[kNeighbourRows<Dim>][kCount];
 };
-
-template <int Dim, Content... Whats, int Count>
-void scatter(const ParticleView<Dim>& particles, const GridView<Dim>& grid,
-             double* const (&field)[Count], RowRange bins) {
-  Scatter<Dim, Whats...> scatter(particles, grid, field);
-  for (std::ptrdiff_t row = bins.first; row < bins.last; ++row) {
-    scatter.row(row);
-  }
-}
-
-template <int Dim>
-void scatter_all(const ParticleView<Dim>& particles, const GridView<Dim>& grid, RowRange bins) {
-  double* field[2 * Dim + 1] = {grid.mass};
-  for (int a = 0; a < Dim; ++a) {
-    field[1 + a] = grid.momentum[a];
-    field[1 + Dim + a] = grid.force[a];
-  }
-  scatter<Dim, Content::mass_momentum, Content::force>(particles, grid, field, bins);
-}
-
-template <int Dim>
-void scatter_mass_momentum(const ParticleView<Dim>& particles, const GridView<Dim>& grid,
-                           RowRange bins) {
-  double* field[Dim + 1] = {grid.mass};
-  for (int a = 0; a < Dim; ++a) {
-    field[1 + a] = grid.momentum[a];
-  }
-  scatter<Dim, Content::mass_momentum>(particles, grid, field, bins);
-}
-
-template <int Dim>
-void scatter_force(const ParticleView<Dim>& particles, const GridView<Dim>& grid, RowRange bins) {
-  scatter<Dim, Content::force>(particles, grid, grid.force, bins);
-}
-
-template <int Dim>
-void scatter_second_momentum(const ParticleView<Dim>& particles, const GridView<Dim>& grid,
-                             RowRange bins) {
-  scatter<Dim, Content::momentum>(particles, grid, grid.second_field, bins);
-}
 
 }  // namespace
 }  // namespace rgimp::kernels

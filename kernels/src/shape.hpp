@@ -20,16 +20,14 @@ struct ShapeConstants {
   explicit ShapeConstants(const GridView<Dim>& grid)
       : cells_per_metre(1.0 / grid.cell_size),
         half(grid.particle_half_size),
-        per_quad_half(0.25 / grid.particle_half_size),
-        per_double_half(0.5 / grid.particle_half_size) {
+        per_half(1.0 / grid.particle_half_size) {
     for (int a = 0; a < Dim; ++a) {
       origin_cells[a] = grid.origin[a] / grid.cell_size;
     }
   }
   double cells_per_metre;  ///< 1/m
   double half;             ///< cells, l
-  double per_quad_half;    ///< 1 / 4l
-  double per_double_half;  ///< 1 / 2l
+  double per_half;         ///< 1 / l
   double origin_cells[Dim];
 };
 
@@ -74,28 +72,47 @@ struct GroupPlace {
   std::ptrdiff_t row_offset[kNeighbourRows<Dim>];
 };
 
-/// Calls visit(place) for the groups of a row of bins that hold particles.
-template <int Dim, typename Visit>
-inline void for_each_group(const ParticleView<Dim>& particles, const GridView<Dim>& grid,
-                           std::ptrdiff_t row, Visit visit) {
-  const std::uint32_t* begin = particles.group_begin + row * grid.groups_in_row;
-  for (std::ptrdiff_t column = 0; column < grid.groups_in_row; ++column) {
-    if (begin[column] != begin[column + 1]) {
-      visit(GroupPlace<Dim>(grid, row, column));
-    }
+struct Slots {
+  std::size_t first;
+  std::size_t last;
+
+  std::size_t count() const { return last - first; }
+};
+
+/// Slots that a group works on at a time, so that what is found of them stays in the first cache.
+constexpr std::size_t kRound = 16;
+
+template <typename Visit>
+inline void for_each_round(Slots slots, Visit visit) {
+  for (std::size_t first = slots.first; first < slots.last; first += kRound) {
+    visit(Slots{first, slots.last - first < kRound ? slots.last : first + kRound});
   }
 }
 
 /// Distance from the bin's node along an axis, in cells.
 template <int Dim>
-inline Batch node_distance(const ParticleView<Dim>& particles, std::size_t index,
-                           const BinOffsets<Dim>& offsets, const ShapeConstants<Dim>& shape,
-                           int axis) {
-  return fused(Batch::load_aligned(particles.position[axis] + index), Batch(shape.cells_per_metre),
-               offsets.minus_node[axis]);
+inline Batch node_distance(Batch position, const BinOffsets<Dim>& offsets,
+                           const ShapeConstants<Dim>& shape, int axis) {
+  return fused(position, Batch(shape.cells_per_metre), offsets.minus_node[axis]);
 }
 
-/// Weights of the lower, nearest and upper node along an axis, and their slopes in 1/m.
+/// A distance d from the node, in cells, cut where Eq. 18 changes its form: |core| <= l, and what
+/// lies beyond l on either side, both >= 0.
+struct AxisPlace {
+  Batch d;
+  Batch core;
+  Batch above;
+  Batch below;
+};
+
+template <int Dim>
+inline AxisPlace axis_place(Batch distance, const ShapeConstants<Dim>& shape) {
+  const Batch capped = xsimd::min(distance, Batch(shape.half));
+  const Batch core = xsimd::max(capped, Batch(-shape.half));
+  return {distance, core, distance - capped, core - capped};
+}
+
+/// Weights of the lower, nearest and upper node along an axis, and their slopes per cell.
 struct AxisWeights {
   Batch value[3];
   Batch slope[3];
@@ -104,23 +121,20 @@ struct AxisWeights {
 /// The form about the nearest node, without branches. Weights are squares of small distances, not
 /// differences of moments, which were off by 2e-9 at nearly empty nodes in a prototype.
 template <int Dim>
-inline AxisWeights axis_weights(Batch distance, const ShapeConstants<Dim>& shape) {
+inline void find_axis_weights(const AxisPlace& place, const ShapeConstants<Dim>& shape,
+                              AxisWeights& weights) {
   const Batch half(shape.half);
-  const Batch zero(0.0);
-  const Batch core = xsimd::min(xsimd::max(distance, -half), half);
-  const Batch flank = distance - core;
-  const Batch up = core + half;
-  const Batch down = half - core;
-  const Batch quad(shape.per_quad_half);
-  const Batch slope(shape.per_double_half * shape.cells_per_metre);
-  AxisWeights w;
-  w.value[2] = fused(up * quad, up, xsimd::max(flank, zero));
-  w.value[0] = fused(down * quad, down, -xsimd::min(flank, zero));
-  w.value[1] = Batch(1.0) - w.value[2] - w.value[0];
-  w.slope[2] = up * slope;
-  w.slope[0] = -down * slope;
-  w.slope[1] = -(w.slope[2] + w.slope[0]);
-  return w;
+  const Batch per_double_half(0.5 * shape.per_half);
+  const Batch up = fused(place.core, per_double_half, Batch(0.5));
+  const Batch down = fused(place.core, per_double_half, Batch(-0.5));
+  const Batch upper = fused(up * half, up, place.above);
+  const Batch lower = fused(down * half, down, place.below);
+  weights.slope[0] = down;
+  weights.slope[1] = -(up + down);
+  weights.slope[2] = up;
+  weights.value[0] = lower;
+  weights.value[1] = Batch(1.0) - upper - lower;
+  weights.value[2] = upper;
 }
 
 }  // namespace

@@ -4,81 +4,161 @@
 #include "g2p.hpp"
 #include "nodes.hpp"
 
-/// Strain from the node velocities, then stress and failure as a second loop over the slots.
+/// Stress and failure of a batch of particles from the gradient of their velocity.
 namespace rgimp::kernels {
 namespace {
 
 /// Strain and rotation of a step in the plane: exx, eyy, engineering shear, and
-/// dt (dvx/dy - dvy/dx) / 2.
+/// dt (dvx/dy - dvy/dx), twice the rotation.
 struct PlaneIncrement {
   Batch xx;
   Batch yy;
   Batch xy;
-  Batch rotation;
+  Batch turn;
 };
 
-/// Slots whose increments are kept between the two loops.
-constexpr std::size_t kStrainRound = 16;
-
-inline PlaneIncrement increment_at(const FieldCoefficients<2> (&velocity)[2], const Basis<2>& basis,
-                                   Batch dt_per_cell) {
+/// `dt_per_two_cells` is 0 in padding.
+inline PlaneIncrement increment_at(const VectorCoefficients<2>& velocity, const Basis<2>& basis,
+                                   Batch dt_per_two_cells) {
   Batch x[2];
   Batch y[2];
-  gradient_at(velocity[0], basis, x);
-  gradient_at(velocity[1], basis, y);
-  return {dt_per_cell * x[0], dt_per_cell * y[1], dt_per_cell * (x[1] + y[0]),
-          Batch(0.5) * dt_per_cell * (x[1] - y[0])};
+  gradient_at(velocity.component[0], basis, x);
+  gradient_at(velocity.component[1], basis, y);
+  return {dt_per_two_cells * x[0], dt_per_two_cells * y[1], dt_per_two_cells * (x[1] + y[0]),
+          dt_per_two_cells * (x[1] - y[0])};
 }
+
+/// A material's constants as a step needs them.
+struct StepMaterial {
+  StepMaterial(const MaterialConstants& material, double dt)
+      : lambda(material.lambda),
+        shear_modulus(material.shear_modulus),
+        quadratic_viscosity(material.quadratic_viscosity / (dt * dt)),
+        linear_viscosity(material.linear_viscosity / dt),
+        test(material.limits) {}
+
+  double lambda;
+  double shear_modulus;
+  double quadratic_viscosity;  // m2/s2, per squared strain of a step
+  double linear_viscosity;     // m2/s2, per strain of a step
+  FailureTest test;
+};
 
 /// Hooke's law in plane strain with the Jaumann rate, sigma += C : D dt + W sigma - sigma W.
-inline PlaneStress elastic_stress(const PlaneStress& s, const PlaneIncrement& e,
-                                  const MaterialConstants& material) {
-  const Batch volumetric = Batch(material.lambda) * (e.xx + e.yy);
+inline PlaneStress elastic_stress(const PlaneStress& s, const PlaneIncrement& e, Batch strain_trace,
+                                  const StepMaterial& material) {
+  const Batch lambda(material.lambda);
   const Batch twice_shear(2.0 * material.shear_modulus);
-  const Batch turned = Batch(2.0) * e.rotation * s.xy;
-  return {fused(twice_shear, e.xx, s.xx + volumetric) + turned,
-          fused(twice_shear, e.yy, s.yy + volumetric) - turned, s.zz + volumetric,
-          fused(Batch(material.shear_modulus), e.xy, fused(e.rotation, s.yy - s.xx, s.xy))};
+  const Batch turned = e.turn * s.xy;
+  const Batch half_difference = Batch(0.5) * (s.yy - s.xx);
+  return {fused(twice_shear, e.xx, fused(lambda, strain_trace, s.xx)) + turned,
+          fused(twice_shear, e.yy, fused(lambda, strain_trace, s.yy)) - turned,
+          fused(lambda, strain_trace, s.zz),
+          fused(Batch(material.shear_modulus), e.xy, fused(e.turn, half_difference, s.xy))};
 }
 
-/// Stress and failure of the particles of a row of bins, and what they add to the row's sums.
+/// A batch of lanes whose elastic stress is known and which holds failed or failing particles.
+struct Trial {
+  PlaneStress stress;
+  PlaneIncrement increment;
+  Circle circle;
+  Batch mode;
+  Batch volume;
+};
+
+/// Half the work of the dropped stress on the step's strain, J/m3: the stress rose to its trial
+/// value during the step, so this part was never put in. Booked as released it would grow with
+/// every step of a failed particle, without bound.
+inline Batch half_work(const PlaneStress& s, const PlaneStress& left, const PlaneIncrement& e) {
+  return Batch(0.5) *
+         fused(s.xx - left.xx, e.xx, fused(s.yy - left.yy, e.yy, (s.xy - left.xy) * e.xy));
+}
+
+/// Failures of a row of bins. Apart from StressUpdate, as its functions are not inlined: what they
+/// can reach, the compiler reads anew after every store.
+class FailureLog {
+ public:
+  explicit FailureLog(std::int32_t step) : step_(step) {}
+
+  /// The stress left to the lanes that have failed or fail now.
+  [[gnu::noinline]] PlaneStress fail(ParticleView<2> particles, std::size_t index, int part,
+                                     const Trial& trial, const MaterialConstants& material) {
+    const PlaneStress& s = trial.stress;
+    const Batch now = xsimd::select(trial.mode == Batch(kIntact),
+                                    failure_mode(s, trial.circle, material.limits), trial.mode);
+    note_new(particles, index, trial.mode, now);
+    const Mask failed = now > Batch(kIntact);
+    const PlaneStress left = failed_stress(s, material);
+    const Batch released =
+        trial.volume * (energy_density(s, material) - energy_density(left, material) -
+                        half_work(s, left, trial.increment));
+    released_.add(xsimd::select(failed, released, Batch(0.0)), part);
+    return {xsimd::select(failed, left.xx, s.xx), xsimd::select(failed, left.yy, s.yy),
+            xsimd::select(failed, left.zz, s.zz), xsimd::select(failed, left.xy, s.xy)};
+  }
+
+  double released() const { return released_.total(); }
+  std::int64_t tension() const { return tension_; }
+  std::int64_t shear() const { return shear_; }
+
+ private:
+  void note_new(const ParticleView<2>& particles, std::size_t index, Batch before, Batch now) {
+    alignas(64) double was[kLanes];
+    alignas(64) double is[kLanes];
+    before.store_aligned(was);
+    now.store_aligned(is);
+    now.store_aligned(particles.failure_mode + index);
+    for (int lane = 0; lane < kLanes; ++lane) {
+      if (was[lane] != is[lane]) {
+        particles.failure_step[index + lane] = step_;
+        tension_ += is[lane] == kFailedInTension ? 1 : 0;
+        shear_ += is[lane] == kFailedInShear ? 1 : 0;
+      }
+    }
+  }
+
+  std::int32_t step_;
+  LaneSum released_;
+  std::int64_t tension_ = 0;
+  std::int64_t shear_ = 0;
+};
+
+/// Stress of the particles of a row of bins, and what they add to the row's sums.
 class StressUpdate {
  public:
-  StressUpdate(const ParticleView<2>& particles, const MaterialConstants* materials, double dt,
-               std::int32_t step)
+  StressUpdate(const ParticleView<2>& particles, const ParticleUpdate& update, FailureLog& log)
       : p_(particles),
-        tested_(materials),
-        test_(materials->limits),
-        per_dt_(1.0 / dt),
-        step_(step) {}
+        materials_(update.materials),
+        dt_(update.dt),
+        log_(&log),
+        last_(update.materials),
+        constants_(*last_, update.dt) {}
 
-  void slot(std::size_t index, const PlaneIncrement& e, const MaterialConstants& material) {
-    const Batch trace_of_strain = e.xx + e.yy;
-    const Batch volume = update_volume(index, trace_of_strain, material);
-    PlaneStress s = elastic_stress(load(index), e, material);
+  /// V, q V and sigma at the end of the step.
+  void batch(std::size_t index, int part, const PlaneIncrement& e) {
+    const MaterialConstants& material = materials_[p_.slot_material[index / kGroupWidth]];
+    use(material);
+    const Batch strain_trace = e.xx + e.yy;
+    const Batch volume = update_volume(index, part, strain_trace);
+    PlaneStress s = elastic_stress(load(index), e, strain_trace, constants_);
     const Circle circle = circle_of(s);
     const Batch mode = Batch::load_aligned(p_.failure_mode + index);
-    const Mask intact = mode == Batch(kIntact);
-    const Mask failing = may_fail(s, circle, test_of(material)) & intact;
     // Rare: a handful of particles in a hundred thousand.
-    if (xsimd::any(failing | (mode > Batch(kIntact)))) {
-      s = fail(index, {s, e, circle, mode, volume}, material);
+    if (xsimd::any(may_fail(s, circle, constants_.test) | (mode > Batch(kIntact)))) {
+      s = log_->fail(p_, index, part, {s, e, circle, mode, volume}, material);
     }
     store(index, s);
   }
 
-  ParticleSums sums() const { return {viscous_work_.total(), released_.total(), tension_, shear_}; }
-
-  int part = 0;  ///< which batch of the group
+  double viscous_work() const { return -viscous_work_.total(); }
 
  private:
-  /// The test of a slot's material, made anew only where the material changes.
-  const FailureTest& test_of(const MaterialConstants& material) {
-    if (&material != tested_) {
-      tested_ = &material;
-      test_ = FailureTest(material.limits);
+  /// The constants of a slot's material, made anew only where the material changes.
+  void use(const MaterialConstants& material) {
+    if (&material != last_) {
+      last_ = &material;
+      constants_ = StepMaterial(material, dt_);
     }
-    return test_;
   }
 
   PlaneStress load(std::size_t index) const {
@@ -94,116 +174,28 @@ class StressUpdate {
   }
 
   /// V and q V = m (c0 L^2 (tr D)^2 + c1 L c |tr D|) in compression; returns V.
-  Batch update_volume(std::size_t index, Batch trace_of_strain, const MaterialConstants& material) {
-    const Batch viscous = Batch::load_aligned(p_.viscous_energy + index);
-    viscous_work_.add(-viscous * trace_of_strain, part);
-    const Batch closing = xsimd::min(trace_of_strain, Batch(0.0)) * Batch(per_dt_);
+  Batch update_volume(std::size_t index, int part, Batch strain_trace) {
+    const Batch viscous_energy = Batch::load_aligned(p_.viscous_energy + index);
+    viscous_work_.add(viscous_energy * strain_trace, part);
+    const Batch closing = xsimd::min(strain_trace, Batch(0.0));
     const Batch rate =
-        fused(Batch(material.quadratic_viscosity), closing, Batch(-material.linear_viscosity));
+        fused(Batch(constants_.quadratic_viscosity), closing, Batch(-constants_.linear_viscosity));
     (Batch::load_aligned(p_.mass + index) * closing * rate)
         .store_aligned(p_.viscous_energy + index);
     const Batch old = Batch::load_aligned(p_.volume + index);
-    const Batch volume = fused(old, trace_of_strain, old);
+    const Batch volume = fused(old, strain_trace, old);
     volume.store_aligned(p_.volume + index);
     return volume;
   }
 
-  /// A slot whose elastic stress is known and which holds failed or failing particles.
-  struct Trial {
-    PlaneStress stress;
-    PlaneIncrement increment;
-    Circle circle;
-    Batch mode;
-    Batch volume;
-  };
-
-  PlaneStress fail(std::size_t index, const Trial& trial, const MaterialConstants& material) {
-    const PlaneStress& s = trial.stress;
-    const Batch now = xsimd::select(trial.mode == Batch(kIntact),
-                                    failure_mode(s, trial.circle, material.limits), trial.mode);
-    note_new(index, trial.mode, now);
-    const Mask failed = now > Batch(kIntact);
-    const PlaneStress left = failed_stress(s, material);
-    const Batch released =
-        trial.volume * (energy_density(s, material) - energy_density(left, material) -
-                        half_work(s, left, trial.increment));
-    released_.add(xsimd::select(failed, released, Batch(0.0)), part);
-    return {xsimd::select(failed, left.xx, s.xx), xsimd::select(failed, left.yy, s.yy),
-            xsimd::select(failed, left.zz, s.zz), xsimd::select(failed, left.xy, s.xy)};
-  }
-
-  /// Half the work of the dropped stress on the step's strain, J/m3: the stress rose to its trial
-  /// value during the step, so this part was never put in. Booked as released it would grow with
-  /// every step of a failed particle, without bound.
-  static Batch half_work(const PlaneStress& s, const PlaneStress& left, const PlaneIncrement& e) {
-    return Batch(0.5) *
-           fused(s.xx - left.xx, e.xx, fused(s.yy - left.yy, e.yy, (s.xy - left.xy) * e.xy));
-  }
-
-  void note_new(std::size_t index, Batch before, Batch now) {
-    alignas(64) double was[kLanes];
-    alignas(64) double is[kLanes];
-    before.store_aligned(was);
-    now.store_aligned(is);
-    now.store_aligned(p_.failure_mode + index);
-    for (int lane = 0; lane < kLanes; ++lane) {
-      if (was[lane] != is[lane]) {
-        p_.failure_step[index + lane] = step_;
-        tension_ += is[lane] == kFailedInTension ? 1 : 0;
-        shear_ += is[lane] == kFailedInShear ? 1 : 0;
-      }
-    }
-  }
-
-  const ParticleView<2>& p_;
-  const MaterialConstants* tested_;
-  FailureTest test_;
-  double per_dt_;
-  std::int32_t step_;
+  ParticleView<2> p_;
+  const MaterialConstants* materials_;
+  double dt_;
+  FailureLog* log_;
+  const MaterialConstants* last_;
+  StepMaterial constants_;
   LaneSum viscous_work_;
-  LaneSum released_;
-  std::int64_t tension_ = 0;
-  std::int64_t shear_ = 0;
 };
-
-inline void update_group(const ParticleView<2>& particles, const GroupPlace<2>& place,
-                         const ShapeConstants<2>& shape, const double* const* field,
-                         const MaterialConstants* materials, double dt, StressUpdate& update) {
-  const std::uint32_t* begin = particles.group_begin + place.first_node / kGroupWidth;
-  const double dt_per_cell = dt * shape.cells_per_metre;
-  for (int part = 0; part < kParts; ++part) {
-    update.part = part;
-    const FieldCoefficients<2> velocity[2] = {field_coefficients(field[0], place, part),
-                                              field_coefficients(field[1], place, part)};
-    const BinOffsets<2> offsets = place.offsets(shape, part);
-    for (std::size_t first = begin[0]; first < begin[1]; first += kStrainRound) {
-      const std::size_t slots = begin[1] - first < kStrainRound ? begin[1] - first : kStrainRound;
-      PlaneIncrement increment[kStrainRound];
-      for (std::size_t s = 0; s < slots; ++s) {
-        const std::size_t index = (first + s) * kGroupWidth + part * kLanes;
-        const Batch scale = where_present(particles, index, dt_per_cell);
-        increment[s] = increment_at(velocity, basis_at(particles, index, offsets, shape), scale);
-      }
-      for (std::size_t s = 0; s < slots; ++s) {
-        update.slot((first + s) * kGroupWidth + part * kLanes, increment[s],
-                    materials[particles.slot_material[first + s]]);
-      }
-    }
-  }
-}
-
-inline void update_stress(const ParticleView<2>& particles, const GridView<2>& grid,
-                          const double* const* field, const MaterialConstants* materials, double dt,
-                          std::int32_t step, RowRange bins, ParticleSums* by_row) {
-  const ShapeConstants<2> shape(grid);
-  for (std::ptrdiff_t row = bins.first; row < bins.last; ++row) {
-    StressUpdate update(particles, materials, dt, step);
-    for_each_group(particles, grid, row, [&](const GroupPlace<2>& place) {
-      update_group(particles, place, shape, field, materials, dt, update);
-    });
-    by_row[row] = update.sums();
-  }
-}
 
 }  // namespace
 }  // namespace rgimp::kernels

@@ -42,14 +42,16 @@ void require_close(const std::string& what, const double* value, const double* e
 
 void require_same_nodes(RandomState& state, RandomState& twin) {
   const auto nodes = static_cast<std::size_t>(state.grid.rows() * state.grid.row_stride());
-  const kernels::GridView<2> got = state.grid.view();
-  const kernels::GridView<2> expected = twin.grid.view();
-  require_close("mass", got.mass, expected.mass, nodes);
-  for (int a = 0; a < 2; ++a) {
-    const std::string axis = a == 0 ? " x" : " y";
-    require_close("momentum" + axis, got.momentum[a], expected.momentum[a], nodes);
-    require_close("force" + axis, got.force[a], expected.force[a], nodes);
-    require_close("second field" + axis, got.second_field[a], expected.second_field[a], nodes);
+  for (const int layer : {0, 1}) {
+    const kernels::GridView<2> got = state.grid.view(layer);
+    const kernels::GridView<2> expected = twin.grid.view(layer);
+    require_close("mass", got.mass, expected.mass, nodes);
+    for (int a = 0; a < 2; ++a) {
+      const std::string axis = a == 0 ? " x" : " y";
+      require_close("momentum" + axis, got.momentum[a], expected.momentum[a], nodes);
+      require_close("force" + axis, got.force[a], expected.force[a], nodes);
+      require_close("second field" + axis, got.second_field[a], expected.second_field[a], nodes);
+    }
   }
 }
 
@@ -155,20 +157,6 @@ TEST_CASE("scatter adds to what nodes hold") {
   });
 }
 
-TEST_CASE("scatter of forces equals its scalar twin") {
-  compare([](const KernelTable<2>& k, RandomState& s) {
-    s.grid.clear({0, s.grid.rows()});
-    k.scatter_force(s.particles.view(), s.grid.view(), all_rows(s));
-  });
-}
-
-TEST_CASE("scatter of the second momentum equals its scalar twin") {
-  compare([](const KernelTable<2>& k, RandomState& s) {
-    s.grid.clear_second_field({0, s.grid.rows()});
-    k.scatter_second_momentum(s.particles.view(), s.grid.view(), all_rows(s));
-  });
-}
-
 TEST_CASE("a scatter row by row equals one over all rows to the bit") {
   for (const Isa isa : kernels::kAllIsas) {
     if (!kernels::available(isa)) {
@@ -228,63 +216,119 @@ TEST_CASE("division by mass equals its scalar twin, in place and from the moment
   });
 }
 
-TEST_CASE("gathers equal their scalar twins") {
-  compare([](const KernelTable<2>& k, RandomState& s) {
-    k.gather_velocity(s.particles.view(), s.grid.view(), kDt, all_rows(s));
-  });
-  compare([](const KernelTable<2>& k, RandomState& s) {
-    std::vector<kernels::Reach> reach(static_cast<std::size_t>(s.grid.rows()));
-    k.gather_position(s.particles.view(), s.grid.view(), kDt, all_rows(s), reach.data());
-  });
+using Pass = KernelTable<2>::Pass KernelTable<2>::*;
+
+struct NamedPass {
+  std::string name;
+  Pass pass;
+};
+
+const NamedPass kPasses[] = {
+    {"MUSL, accelerate", &KernelTable<2>::accelerate},
+    {"MUSL, strain and move", &KernelTable<2>::strain_and_move},
+    {"USL", &KernelTable<2>::accelerate_strain_and_move},
+    {"USF, strain", &KernelTable<2>::strain},
+    {"USF, accelerate and move", &KernelTable<2>::accelerate_and_move},
+};
+
+/// One entry per row of the grid.
+struct RowSums {
+  explicit RowSums(RandomState& state)
+      : particles(static_cast<std::size_t>(state.grid.rows())),
+        reach(static_cast<std::size_t>(state.grid.rows())) {}
+  std::vector<kernels::ParticleSums> particles;
+  std::vector<kernels::Reach> reach;
+};
+
+// From the first layer to the second; what it adds to starts as it is.
+RowSums run_pass(Pass pass, const KernelTable<2>& k, RandomState& s, double dt, RowRange rows) {
+  RowSums sums(s);
+  const kernels::ParticleUpdate update{.dt = dt,
+                                       .step = 12,
+                                       .materials = s.materials.data(),
+                                       .sums = sums.particles.data(),
+                                       .reach = sums.reach.data()};
+  (k.*pass)(s.particles.view(), s.grid.view(0), s.grid.view(1), update, rows);
+  return sums;
+}
+
+TEST_CASE("passes equal their scalar twins, sums included") {
+  for (const auto& [name, pass] : kPasses) {
+    INFO(name);
+    std::vector<RowSums> all;
+    compare([&](const KernelTable<2>& k, RandomState& s) {
+      all.push_back(run_pass(pass, k, s, kDt, all_rows(s)));
+    });
+    std::int64_t failed_tension = 0;
+    std::int64_t failed_shear = 0;
+    for (std::size_t pair = 0; pair < all.size(); pair += 2) {
+      for (std::size_t row = 0; row < all[pair].particles.size(); ++row) {
+        const kernels::ParticleSums& got = all[pair].particles[row];
+        const kernels::ParticleSums& expected = all[pair + 1].particles[row];
+        REQUIRE(got.failed_tension == expected.failed_tension);
+        REQUIRE(got.failed_shear == expected.failed_shear);
+        REQUIRE(got.viscous_work == Approx(expected.viscous_work).epsilon(1e-9).margin(1e-14));
+        REQUIRE(got.released_energy ==
+                Approx(expected.released_energy).epsilon(1e-9).margin(1e-14));
+        failed_tension += got.failed_tension;
+        failed_shear += got.failed_shear;
+      }
+    }
+    // The states were chosen to reach every branch.
+    const bool strains = pass == &KernelTable<2>::strain_and_move ||
+                         pass == &KernelTable<2>::accelerate_strain_and_move ||
+                         pass == &KernelTable<2>::strain;
+    REQUIRE((failed_tension > 100) == strains);
+    REQUIRE((failed_shear > 100) == strains);
+  }
 }
 
 TEST_CASE("the reach of a row equals its scalar twin's and leaves padding out") {
-  std::vector<kernels::Reach> expected;
+  for (const Pass pass :
+       {&KernelTable<2>::strain_and_move, &KernelTable<2>::accelerate_strain_and_move,
+        &KernelTable<2>::accelerate_and_move}) {
+    std::vector<kernels::Reach> expected;
+    for (const Isa isa : kernels::kAllIsas) {
+      if (!kernels::available(isa)) {
+        continue;
+      }
+      RandomState s(5, 2, {});
+      s.randomise_nodes();
+      const std::vector<kernels::Reach> reach =
+          run_pass(pass, kernels::kernels_for<2>(isa), s, 0.1, all_rows(s)).reach;
+      expected = isa == Isa::reference ? reach : expected;
+      for (std::size_t row = 0; row < reach.size(); ++row) {
+        INFO(kernels::name(isa) << ", row " << row);
+        REQUIRE(reach[row].distance == Approx(expected[row].distance).epsilon(1e-12));
+        REQUIRE(reach[row].step == Approx(expected[row].step).epsilon(1e-12));
+      }
+      REQUIRE(reach[5].distance > 0.5);
+    }
+  }
+}
+
+TEST_CASE("a pass scatters what a scatter alone would from the same particles, to the bit") {
   for (const Isa isa : kernels::kAllIsas) {
     if (!kernels::available(isa)) {
       continue;
     }
-    RandomState s(5, 2, {});
+    INFO(kernels::name(isa));
+    const KernelTable<2>& k = kernels::kernels_for<2>(isa);
+    RandomState s(7, 2, {.most_slots = 20});
     s.randomise_nodes();
-    std::vector<kernels::Reach> reach(static_cast<std::size_t>(s.grid.rows()));
-    kernels::kernels_for<2>(isa).gather_position(s.particles.view(), s.grid.view(), 0.1,
-                                                 all_rows(s), reach.data());
-    expected = isa == Isa::reference ? reach : expected;
-    for (std::size_t row = 0; row < reach.size(); ++row) {
-      INFO(kernels::name(isa) << ", row " << row);
-      REQUIRE(reach[row].distance == Approx(expected[row].distance).epsilon(1e-12));
-      REQUIRE(reach[row].step == Approx(expected[row].step).epsilon(1e-12));
-    }
-    REQUIRE(reach[5].distance > 0.5);
-  }
-}
-
-TEST_CASE("stress and failure equal their scalar twins, sums included") {
-  std::vector<std::vector<kernels::ParticleSums>> all;
-  compare([&](const KernelTable<2>& k, RandomState& s) {
-    std::vector<kernels::ParticleSums> sums(static_cast<std::size_t>(s.grid.rows()));
-    const kernels::GridView<2> grid = s.grid.view();
-    k.update_stress(s.particles.view(), grid, grid.second_field, s.materials.data(), kDt, 12,
-                    all_rows(s), sums.data());
-    all.push_back(sums);
-  });
-  std::int64_t failed_tension = 0;
-  std::int64_t failed_shear = 0;
-  for (std::size_t pair = 0; pair < all.size(); pair += 2) {
-    for (std::size_t row = 0; row < all[pair].size(); ++row) {
-      const kernels::ParticleSums& got = all[pair][row];
-      const kernels::ParticleSums& expected = all[pair + 1][row];
-      REQUIRE(got.failed_tension == expected.failed_tension);
-      REQUIRE(got.failed_shear == expected.failed_shear);
-      REQUIRE(got.viscous_work == Approx(expected.viscous_work).epsilon(1e-9).margin(1e-14));
-      REQUIRE(got.released_energy == Approx(expected.released_energy).epsilon(1e-9).margin(1e-14));
-      failed_tension += got.failed_tension;
-      failed_shear += got.failed_shear;
+    s.grid.clear({0, s.grid.rows()}, 1);
+    run_pass(&KernelTable<2>::strain_and_move, k, s, kDt, all_rows(s));
+    const auto nodes = static_cast<std::size_t>(s.grid.rows() * s.grid.row_stride());
+    const kernels::GridView<2> view = s.grid.view(1);
+    const std::vector<double> mass(view.mass, view.mass + nodes);
+    const std::vector<double> force(view.force[1], view.force[1] + nodes);
+    s.grid.clear({0, s.grid.rows()}, 1);
+    k.scatter_all(s.particles.view(), view, all_rows(s));
+    for (std::size_t n = 0; n < nodes; ++n) {
+      REQUIRE(view.mass[n] == mass[n]);
+      REQUIRE(view.force[1][n] == force[n]);
     }
   }
-  // The states were chosen to reach every branch.
-  REQUIRE(failed_tension > 100);
-  REQUIRE(failed_shear > 100);
 }
 
 }  // namespace rgimp::tests

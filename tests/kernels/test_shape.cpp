@@ -94,7 +94,7 @@ TEST_CASE("gradients are those of Eq. 18, and sum to zero") {
   on_every_isa_and_place([](const kernels::KernelTable<2>& k, Drifted& one) {
     one.set_stress({1.0, 0.0, 0.0, 0.0});  // f_x = -V dS/dx
     one.grid().clear({0, one.grid().rows()});
-    k.scatter_force(one.particles().view(), one.grid().view(), {1, 16});
+    k.scatter_all(one.particles().view(), one.grid().view(), {1, 16});
     const kernels::GridView<2> view = one.grid().view();
     const double scale = one.volume() / OneParticle::kCell;
     double sum = 0.0;
@@ -118,7 +118,8 @@ TEST_CASE("a linear field is gathered exactly") {
       view.force[0][n] = 3.0 + 2.0 * node.x() - node.y();
       view.force[1][n] = -1.0 + 0.5 * node.x();
     }
-    k.gather_velocity(one.particles().view(), view, 2.0, {1, 16});
+    const kernels::ParticleUpdate update{.dt = 2.0};
+    k.accelerate(one.particles().view(), view, one.grid().view(1), update, {1, 16});
     REQUIRE(one.particles().velocity[0][one.lane()] ==
             Approx(2.0 * (3.0 + 2.0 * one.at.x() - one.at.y())).epsilon(1e-13));
     REQUIRE(one.particles().velocity[1][one.lane()] ==

@@ -58,8 +58,9 @@ class OneParticle {
       view.second_field[1][n] = gradient.yx * x.x() + gradient.yy * x.y();
     }
     std::array<kernels::ParticleSums, 17> sums{};
-    kernels::kernels_for<2>(isa).update_stress(particles_.view(), view, view.second_field,
-                                               &constants_, dt, 1, {1, 16}, sums.data());
+    const kernels::ParticleUpdate update{
+        .dt = dt, .step = 1, .materials = &constants_, .sums = sums.data(), .reach = nullptr};
+    kernels::kernels_for<2>(isa).strain(particles_.view(), view, grid_.view(1), update, {1, 16});
     return sums[8];
   }
 

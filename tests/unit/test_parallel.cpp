@@ -53,6 +53,29 @@ TEST_CASE("a scatter clears every row once, before anything is added to it") {
   }
 }
 
+TEST_CASE("every row is completed once, by the last band that adds to it") {
+  for (const std::ptrdiff_t layers : {1, 8, 9, 16, 17, 24, 31, 32, 211}) {
+    const Bands bands(layers, 1, 8);
+    std::vector<int> completed(static_cast<std::size_t>(layers), 0);
+    for (int colour = 0; colour < 2; ++colour) {
+      for (std::ptrdiff_t i = 0; i < bands.count_of(colour); ++i) {
+        const std::ptrdiff_t band = Bands::band_of(colour, i);
+        const kernels::RowRange rows = bands.rows(band);
+        for (std::ptrdiff_t row = std::max<std::ptrdiff_t>(rows.first - 1, 0);
+             row < std::min(rows.last + 1, layers); ++row) {
+          INFO("layers " << layers << ", band " << band << ", row " << row);
+          REQUIRE(completed[row] == 0);
+        }
+        const kernels::RowRange complete = bands.completed_rows(band);
+        for (std::ptrdiff_t row = complete.first; row < complete.last; ++row) {
+          ++completed[row];
+        }
+      }
+    }
+    REQUIRE(completed == std::vector<int>(static_cast<std::size_t>(layers), 1));
+  }
+}
+
 TEST_CASE("bands of planes cover all rows of a plane") {
   const Bands bands(10, 7, 4);
   REQUIRE(bands.rows(1).first == 28);

@@ -7,21 +7,36 @@ namespace rgimp::kernels {
 /// What a kernel is compiled for; `reference` are the scalar twins.
 enum class Isa { reference, baseline, avx2, avx512 };
 
-/// The kernels of one ISA. Scatters add to node rows one below to one above their bin rows; the
-/// others touch only their own rows. Weights are those of the particles' present positions.
+/// The kernels of one ISA. A pass reads and writes each particle of its bins once: it gathers from
+/// `from`, updates the particle and scatters what it has become to `to`, whose fields of that kind
+/// must be others than those gathered. Scatters add to node rows one below to one above their bin
+/// rows. Weights are those of the positions at the time: gathers before, scatters after the move.
 template <int Dim>
 struct KernelTable {
   using Particles = ParticleView<Dim>;
   using Grid = GridView<Dim>;
+  using Scatter = void (*)(const Particles&, const Grid& to, RowRange bins);
+  using Pass = void (*)(const Particles&, const Grid& from, const Grid& to, const ParticleUpdate&,
+                        RowRange bins);
 
   /// particle mass, velocity, stress, viscous energy -> node mass, momentum, force [Eq. 8-10]
-  void (*scatter_all)(const Particles&, const Grid&, RowRange bins);
+  Scatter scatter_all;
   /// particle mass, velocity -> node mass, momentum [Eq. 8, 9]
-  void (*scatter_mass_momentum)(const Particles&, const Grid&, RowRange bins);
-  /// particle stress, viscous energy -> node force [Eq. 10]
-  void (*scatter_force)(const Particles&, const Grid&, RowRange bins);
-  /// particle mass, velocity -> second field, as momentum [Eq. 8]
-  void (*scatter_second_momentum)(const Particles&, const Grid&, RowRange bins);
+  Scatter scatter_mass_momentum;
+
+  /// MUSL, first pass: acceleration -> particle velocity += dt S a -> second field, as momentum
+  /// [Eq. 6, 8]
+  Pass accelerate;
+  /// MUSL, second pass: second field (velocity) -> particle stress, volume, viscous energy,
+  /// failure; velocity -> particle position += dt S v; then as scatter_all [Eq. 20, 21, 6, 8-10]
+  Pass strain_and_move;
+  /// USL: accelerate, strain with the velocity at the end of the step, move, then as scatter_all
+  Pass accelerate_strain_and_move;
+  /// USF, first pass: second field (velocity) -> particle stress, volume, viscous energy, failure
+  /// -> force [Eq. 20, 21, 10]
+  Pass strain;
+  /// USF, second pass: accelerate, move, then as scatter_mass_momentum [Eq. 6, 8, 9]
+  Pass accelerate_and_move;
 
   /// node mass, momentum, force -> acceleration (in force), velocity (in momentum), with body
   /// force and local damping [Eq. 7, 11]; one NodeSums per row of the grid
@@ -29,17 +44,6 @@ struct KernelTable {
   /// node mass, `momentum` -> second field = momentum / mass [Eq. 8]; in place is allowed
   void (*divide_by_mass)(const Grid&, const double* const* momentum, double least_mass,
                          RowRange nodes);
-
-  /// acceleration -> particle velocity += dt S a [Eq. 6]
-  void (*gather_velocity)(const Particles&, const Grid&, double dt, RowRange bins);
-  /// velocity at the end of the step -> particle position += dt S v [Eq. 6]; one Reach per row of
-  /// the grid
-  void (*gather_position)(const Particles&, const Grid&, double dt, RowRange bins, Reach* by_row);
-  /// `field` (node velocity) -> particle stress, volume, viscous energy, failure [Eq. 20, 21];
-  /// one ParticleSums per row of the grid
-  void (*update_stress)(const Particles&, const Grid&, const double* const* field,
-                        const MaterialConstants* materials, double dt, std::int32_t step,
-                        RowRange bins, ParticleSums* by_row);
 };
 
 inline constexpr Isa kAllIsas[] = {Isa::reference, Isa::baseline, Isa::avx2, Isa::avx512};

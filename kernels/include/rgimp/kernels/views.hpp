@@ -108,6 +108,16 @@ struct ParticleSums {
   std::int64_t failed_shear;
 };
 
+/// What a pass over the particles needs besides them and the grid; the rows of the two sums are
+/// those of the grid, and a pass that does not find them leaves them alone.
+struct ParticleUpdate {
+  double dt = 0.0;                               ///< s
+  std::int32_t step = 0;                         ///< at whose end particles fail
+  const MaterialConstants* materials = nullptr;  ///< by slot_material
+  ParticleSums* sums = nullptr;                  ///< one per row
+  Reach* reach = nullptr;                        ///< one per row
+};
+
 /// What update_nodes needs besides the grid.
 template <int Dim>
 struct NodeUpdate {

@@ -1,0 +1,274 @@
+#pragma once
+
+#include "p2g.hpp"
+#include "stress.hpp"
+
+/// Passes over the particles: gather, update, scatter while a group's particles are in registers
+/// and its nodes in the first cache. A MUSL step that read the particles once per gather and
+/// scatter (five times) and found their weights as often was 1.3 times slower.
+namespace rgimp::kernels {
+namespace {
+
+/// What a pass changes of its particles.
+struct Changes {
+  bool velocity;
+  bool strain;
+  bool position;
+};
+
+/// x += dt v, and how far that took the row's particles.
+template <int Dim>
+class Move {
+ public:
+  explicit Move(const ShapeConstants<Dim>& shape) : cells_per_metre_(shape.cells_per_metre) {}
+
+  void batch(const ParticleView<Dim>& particles, std::size_t index, Batch dt,
+             const Batch (&velocity)[Dim], const Places<Dim>& places) {
+    Batch step2(0.0);
+#pragma GCC unroll 3
+    for (int a = 0; a < Dim; ++a) {
+      const Batch step = dt * velocity[a];
+      double* const position = particles.position[a] + index;
+      (Batch::load_aligned(position) + step).store_aligned(position);
+      step2 = fused(step, step, step2);
+      const Batch distance = fused(step, Batch(cells_per_metre_), places.axis[a].d);
+      distance_ = xsimd::max(distance_, xsimd::abs(distance));
+    }
+    step2_ = xsimd::max(step2_, step2);
+  }
+
+  Reach reach() const {
+    return {largest(distance_), __builtin_sqrt(largest(step2_))};
+  }
+
+ private:
+  double cells_per_metre_;
+  Batch step2_ = Batch(0.0);  // m2
+  Batch distance_ = Batch(0.0);
+};
+
+/// Stress and failure where a pass strains, else nothing.
+template <Changes What>
+struct StressPart {
+  using Type = StressUpdate;
+};
+struct NoStress {
+  NoStress(const auto&, const ParticleUpdate&, FailureLog&) {}
+};
+template <Changes What>
+requires(!What.strain) struct StressPart<What> {
+  using Type = NoStress;
+};
+
+/// Gathers what the changes need and applies them, batch by batch.
+template <int Dim, Changes What>
+class Gather {
+ public:
+  Gather(const ParticleView<Dim>& particles, const GridView<Dim>& grid,
+         const ShapeConstants<Dim>& shape, const ParticleUpdate& update, FailureLog& log)
+      : view_(particles),
+        grid_(grid),
+        shape_(shape),
+        dt_(update.dt),
+        stress_(particles, update, log),
+        move_(shape) {}
+
+  /// The fields of a batch of bins. A value, not a member: that the compiler would copy once more.
+  struct Nodes {
+    VectorCoefficients<Dim> acceleration;
+    VectorCoefficients<Dim> velocity;
+    VectorCoefficients<Dim> strain_velocity;
+  };
+
+  Nodes nodes_at(const GroupPlace<Dim>& place, int part) const {
+    Nodes nodes;
+    if constexpr (What.velocity) {
+      load_coefficients(grid_.force, place, part, nodes.acceleration);
+    }
+    if constexpr (What.position) {
+      load_coefficients(grid_.momentum, place, part, nodes.velocity);
+    }
+    if constexpr (What.strain && !kStrainsWithNewVelocity) {
+      load_coefficients(grid_.second_field, place, part, nodes.strain_velocity);
+    }
+    return nodes;
+  }
+
+  /// In two loops over the slots: what one slot needs is a long chain of operations, and a core
+  /// looks ahead by too few of them to overlap it with the next slot's unless chains are cut.
+  void round(const Nodes& nodes, const GroupPlace<Dim>& place, Slots slots, int part) {
+    const BinOffsets<Dim> offsets = place.offsets(shape_, part);
+    PlaneIncrement increment[kRound];
+    for (std::size_t slot = slots.first; slot < slots.last; ++slot) {
+      const std::size_t index = slot * kGroupWidth + part * kLanes;
+      batch(nodes, index, offsets, increment[slot - slots.first]);
+    }
+    if constexpr (What.strain) {
+      for (std::size_t slot = slots.first; slot < slots.last; ++slot) {
+        stress_.batch(slot * kGroupWidth + part * kLanes, part, increment[slot - slots.first]);
+      }
+    }
+  }
+
+  double viscous_work() const { return stress_.viscous_work(); }
+  Reach reach() const { return move_.reach(); }
+
+ private:
+  // USL has no field of its own for strains.
+  static constexpr bool kStrainsWithNewVelocity = What.velocity && What.strain;
+
+  void batch(const Nodes& nodes, std::size_t index, const BinOffsets<Dim>& offsets,
+             PlaneIncrement& increment) {
+    const Places<Dim> places(view_, index, offsets, shape_);
+    const Basis<Dim> basis(places, shape_);
+    const Batch dt = where_present(view_, index, dt_);
+    if constexpr (What.strain) {
+      const VectorCoefficients<Dim>& velocity =
+          kStrainsWithNewVelocity ? nodes.velocity : nodes.strain_velocity;
+      increment = increment_at(velocity, basis, dt * Batch(0.5 * shape_.cells_per_metre));
+    }
+    if constexpr (What.velocity) {
+      accelerate(nodes.acceleration, index, dt, basis);
+    }
+    if constexpr (What.position) {
+      Batch velocity[Dim];
+#pragma GCC unroll 3
+      for (int a = 0; a < Dim; ++a) {
+        velocity[a] = value_at(nodes.velocity.component[a], basis);
+      }
+      move_.batch(view_, index, dt, velocity, places);
+    }
+  }
+
+  /// v += dt a [Eq. 6].
+  void accelerate(const VectorCoefficients<Dim>& acceleration, std::size_t index, Batch dt,
+                  const Basis<Dim>& basis) {
+#pragma GCC unroll 3
+    for (int a = 0; a < Dim; ++a) {
+      double* const velocity = view_.velocity[a] + index;
+      fused(dt, value_at(acceleration.component[a], basis), Batch::load_aligned(velocity))
+          .store_aligned(velocity);
+    }
+  }
+
+  ParticleView<Dim> view_;
+  GridView<Dim> grid_;
+  ShapeConstants<Dim> shape_;
+  double dt_;
+  typename StressPart<What>::Type stress_;
+  Move<Dim> move_;
+};
+
+/// A scatter alone.
+template <int Dim>
+class LeaveAlone {
+ public:
+  struct Nodes {};
+  Nodes nodes_at(const GroupPlace<Dim>&, int) const { return {}; }
+  void round(const Nodes&, const GroupPlace<Dim>&, Slots, int) {}
+};
+
+/// Groups of a row from the first to one past the last that holds particles.
+struct ColumnRange {
+  std::ptrdiff_t first;
+  std::ptrdiff_t last;
+};
+
+inline ColumnRange occupied_columns(const std::uint32_t* row_begin, std::ptrdiff_t groups) {
+  ColumnRange columns{0, groups};
+  while (columns.first < columns.last && row_begin[columns.first] == row_begin[columns.first + 1]) {
+    ++columns.first;
+  }
+  while (columns.first < columns.last && row_begin[columns.last - 1] == row_begin[columns.last]) {
+    --columns.last;
+  }
+  return columns;
+}
+
+template <int Dim, typename Change, Content... Whats>
+[[gnu::flatten]] void pass_group(const GroupPlace<Dim>& place, Slots slots, Change& change,
+                                 Scatter<Dim, Whats...>& scatter) {
+  for (int part = 0; part < kParts; ++part) {
+    const typename Change::Nodes nodes = change.nodes_at(place, part);
+    // In a group of several rounds the terms are overwritten, and found anew.
+    for_each_round(slots, [&](Slots round) {
+      change.round(nodes, place, round, part);
+      scatter.find(place, round, part);
+    });
+  }
+  scatter.sum_group(place, slots);
+}
+
+template <int Dim, typename Change, Content... Whats>
+void pass_row(const ParticleView<Dim>& particles, const GridView<Dim>& grid, std::ptrdiff_t row,
+              Change& change, Scatter<Dim, Whats...>& scatter) {
+  const std::uint32_t* begin = particles.group_begin + row * grid.groups_in_row;
+  const ColumnRange columns = occupied_columns(begin, grid.groups_in_row);
+  if (columns.first == columns.last) {
+    return;
+  }
+  scatter.begin_row();
+  for (std::ptrdiff_t column = columns.first; column < columns.last; ++column) {
+    pass_group(GroupPlace<Dim>(grid, row, column), {begin[column], begin[column + 1]}, change,
+               scatter);
+  }
+  if (columns.last < grid.groups_in_row) {
+    scatter.end_row(GroupPlace<Dim>(grid, row, columns.last));
+  }
+}
+
+/// The fields that a scatter of the contents adds to, in their order.
+template <int Dim, Content... Whats>
+struct Fields {
+  explicit Fields(const GridView<Dim>& grid) {
+    int next = 0;
+    (add(Whats, grid, next), ...);
+  }
+
+  double* field[(kFields<Dim, Whats> + ...)];
+
+ private:
+  void add(Content what, const GridView<Dim>& grid, int& next) {
+    if (what == Content::mass_momentum) {
+      field[next++] = grid.mass;
+    }
+    for (int a = 0; a < Dim; ++a) {
+      field[next++] = what == Content::force           ? grid.force[a]
+                      : what == Content::mass_momentum ? grid.momentum[a]
+                                                       : grid.second_field[a];
+    }
+  }
+};
+
+template <int Dim, Changes What, Content... Whats>
+void pass(const ParticleView<Dim>& particles, const GridView<Dim>& from, const GridView<Dim>& to,
+          const ParticleUpdate& update, RowRange bins) {
+  const ShapeConstants<Dim> shape(from);
+  const Fields<Dim, Whats...> fields(to);
+  Scatter<Dim, Whats...> scatter(particles, shape, fields.field);
+  for (std::ptrdiff_t row = bins.first; row < bins.last; ++row) {
+    FailureLog log(update.step);
+    Gather<Dim, What> gather(particles, from, shape, update, log);
+    pass_row(particles, from, row, gather, scatter);
+    if constexpr (What.strain) {
+      update.sums[row] = {gather.viscous_work(), log.released(), log.tension(), log.shear()};
+    }
+    if constexpr (What.position) {
+      update.reach[row] = gather.reach();
+    }
+  }
+}
+
+template <int Dim, Content... Whats>
+void scatter_only(const ParticleView<Dim>& particles, const GridView<Dim>& to, RowRange bins) {
+  const ShapeConstants<Dim> shape(to);
+  const Fields<Dim, Whats...> fields(to);
+  Scatter<Dim, Whats...> scatter(particles, shape, fields.field);
+  LeaveAlone<Dim> nothing;
+  for (std::ptrdiff_t row = bins.first; row < bins.last; ++row) {
+    pass_row(particles, to, row, nothing, scatter);
+  }
+}
+
+}  // namespace
+}  // namespace rgimp::kernels
