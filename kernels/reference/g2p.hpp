@@ -11,22 +11,16 @@ struct Gathered {
 };
 
 template <int Dim>
-Gathered<Dim> gather(const Stencil<Dim>& stencil, const Shape<Dim>& shape,
-                     const double* const* field) {
-  Gathered<Dim> sum;
-  for_each_node(stencil, shape, [&](std::ptrdiff_t node, double weight, const double(&)[Dim]) {
-    for (int a = 0; a < Dim; ++a) {
-      sum.value[a] += weight * field[a][node];
-    }
-  });
-  return sum;
+void add_value(Gathered<Dim>& sum, double weight, const double* const* field, std::ptrdiff_t node) {
+  for (int a = 0; a < Dim; ++a) {
+    sum.value[a] += weight * field[a][node];
+  }
 }
 
-/// v += dt sum S a [Eq. 6].
+/// v += dt a, with a gathered [Eq. 6].
 template <int Dim>
-void accelerate(const ParticleView<Dim>& particles, std::size_t p, const Stencil<Dim>& stencil,
-                const Shape<Dim>& shape, const GridView<Dim>& grid, double dt) {
-  const Gathered<Dim> acceleration = gather(stencil, shape, grid.force);
+void accelerate(const ParticleView<Dim>& particles, std::size_t p,
+                const Gathered<Dim>& acceleration, double dt) {
   for (int a = 0; a < Dim; ++a) {
     particles.velocity[a][p] += dt * acceleration.value[a];
   }
@@ -53,15 +47,78 @@ struct Gradient {
 };
 
 template <int Dim>
-Gradient<Dim> gradient_at(const Stencil<Dim>& stencil, const Shape<Dim>& shape,
-                          const double* const* field) {
+void add_gradient(Gradient<Dim>& sum, const double (&gradient)[Dim], const double* const* field,
+                  std::ptrdiff_t node) {
+  for (int a = 0; a < Dim; ++a) {
+    for (int b = 0; b < Dim; ++b) {
+      sum.value[a][b] += gradient[b] * field[a][node];
+    }
+  }
+}
+
+/// What particles take from their nodes, all gathered in one visit.
+template <int Dim>
+struct FromNodes {
+  Gathered<Dim> acceleration;
+  Gathered<Dim> velocity;
+  Gradient<Dim> gradient;
+};
+
+/// Acceleration and velocity at the end of the step.
+template <int Dim>
+FromNodes<Dim> gather_motion(const Stencil<Dim>& stencil, const Shape<Dim>& shape,
+                             const GridView<Dim>& grid) {
+  FromNodes<Dim> sum;
+  for_each_node(stencil, shape, [&](std::ptrdiff_t node, double weight, const double(&)[Dim]) {
+    add_value(sum.acceleration, weight, grid.force, node);
+    add_value(sum.velocity, weight, grid.momentum, node);
+  });
+  return sum;
+}
+
+/// Velocity at the end of the step, and the gradient of the second field.
+template <int Dim>
+FromNodes<Dim> gather_velocity_and_strain(const Stencil<Dim>& stencil, const Shape<Dim>& shape,
+                                          const GridView<Dim>& grid) {
+  FromNodes<Dim> sum;
+  for_each_node(stencil, shape,
+                [&](std::ptrdiff_t node, double weight, const double(&gradient)[Dim]) {
+                  add_value(sum.velocity, weight, grid.momentum, node);
+                  add_gradient(sum.gradient, gradient, grid.second_field, node);
+                });
+  return sum;
+}
+
+/// Acceleration, velocity at the end of the step, and its gradient.
+template <int Dim>
+FromNodes<Dim> gather_all(const Stencil<Dim>& stencil, const Shape<Dim>& shape,
+                          const GridView<Dim>& grid) {
+  FromNodes<Dim> sum;
+  for_each_node(stencil, shape,
+                [&](std::ptrdiff_t node, double weight, const double(&gradient)[Dim]) {
+                  add_value(sum.acceleration, weight, grid.force, node);
+                  add_value(sum.velocity, weight, grid.momentum, node);
+                  add_gradient(sum.gradient, gradient, grid.momentum, node);
+                });
+  return sum;
+}
+
+template <int Dim>
+Gathered<Dim> gather_acceleration(const Stencil<Dim>& stencil, const Shape<Dim>& shape,
+                                  const GridView<Dim>& grid) {
+  Gathered<Dim> sum;
+  for_each_node(stencil, shape, [&](std::ptrdiff_t node, double weight, const double(&)[Dim]) {
+    add_value(sum, weight, grid.force, node);
+  });
+  return sum;
+}
+
+template <int Dim>
+Gradient<Dim> gather_strain(const Stencil<Dim>& stencil, const Shape<Dim>& shape,
+                            const GridView<Dim>& grid) {
   Gradient<Dim> sum;
   for_each_node(stencil, shape, [&](std::ptrdiff_t node, double, const double(&gradient)[Dim]) {
-    for (int a = 0; a < Dim; ++a) {
-      for (int b = 0; b < Dim; ++b) {
-        sum.value[a][b] += gradient[b] * field[a][node];
-      }
-    }
+    add_gradient(sum, gradient, grid.second_field, node);
   });
   return sum;
 }

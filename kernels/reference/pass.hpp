@@ -46,12 +46,12 @@ template <int Dim>
 void accelerate_pass(const ParticleView<Dim>& particles, const GridView<Dim>& from,
                      const GridView<Dim>& to, const ParticleUpdate& update, RowRange bins) {
   const Shape<Dim> shape(from);
-  for_each_particle(particles, from, bins,
-                    [&](std::size_t p, const BinNode<Dim>& bin, std::size_t) {
-                      const Stencil<Dim> stencil = stencil_of(particles, p, bin, shape);
-                      accelerate(particles, p, stencil, shape, from, update.dt);
-                      scatter_second_momentum_of(particles, p, stencil, shape, to);
-                    });
+  for_each_particle(
+      particles, from, bins, [&](std::size_t p, const BinNode<Dim>& bin, std::size_t) {
+        const Stencil<Dim> stencil = stencil_of(particles, p, bin, shape);
+        accelerate(particles, p, gather_acceleration(stencil, shape, from), update.dt);
+        scatter_second_momentum_of(particles, p, stencil, shape, to);
+      });
 }
 
 inline void strain_and_move_pass(const ParticleView<2>& particles, const GridView<2>& from,
@@ -62,11 +62,11 @@ inline void strain_and_move_pass(const ParticleView<2>& particles, const GridVie
   for_each_row(particles, from, bins,
                [&](std::ptrdiff_t row, std::size_t p, const BinNode<2>& bin, std::size_t slot) {
                  const Stencil<2> before = stencil_of(particles, p, bin, shape);
-                 update_particle(particles, p, gradient_at(before, shape, from.second_field),
+                 const FromNodes<2> nodes = gather_velocity_and_strain(before, shape, from);
+                 update_particle(particles, p, nodes.gradient,
                                  update.materials[particles.slot_material[slot]], update.dt,
                                  update.step, update.sums[row]);
-                 move(particles, p, bin, gather(before, shape, from.momentum), shape, update.dt,
-                      update.reach[row]);
+                 move(particles, p, bin, nodes.velocity, shape, update.dt, update.reach[row]);
                  scatter_all_of(particles, p, stencil_of(particles, p, bin, shape), shape, to);
                });
 }
@@ -79,12 +79,12 @@ inline void accelerate_strain_and_move_pass(const ParticleView<2>& particles,
   for_each_row(particles, from, bins,
                [&](std::ptrdiff_t row, std::size_t p, const BinNode<2>& bin, std::size_t slot) {
                  const Stencil<2> before = stencil_of(particles, p, bin, shape);
-                 accelerate(particles, p, before, shape, from, update.dt);
-                 update_particle(particles, p, gradient_at(before, shape, from.momentum),
+                 const FromNodes<2> nodes = gather_all(before, shape, from);
+                 accelerate(particles, p, nodes.acceleration, update.dt);
+                 update_particle(particles, p, nodes.gradient,
                                  update.materials[particles.slot_material[slot]], update.dt,
                                  update.step, update.sums[row]);
-                 move(particles, p, bin, gather(before, shape, from.momentum), shape, update.dt,
-                      update.reach[row]);
+                 move(particles, p, bin, nodes.velocity, shape, update.dt, update.reach[row]);
                  scatter_all_of(particles, p, stencil_of(particles, p, bin, shape), shape, to);
                });
 }
@@ -98,7 +98,7 @@ inline void strain_pass(const ParticleView<2>& particles, const GridView<2>& fro
   for_each_row(particles, from, bins,
                [&](std::ptrdiff_t row, std::size_t p, const BinNode<2>& bin, std::size_t slot) {
                  const Stencil<2> stencil = stencil_of(particles, p, bin, shape);
-                 update_particle(particles, p, gradient_at(stencil, shape, from.second_field),
+                 update_particle(particles, p, gather_strain(stencil, shape, from),
                                  update.materials[particles.slot_material[slot]], update.dt,
                                  update.step, update.sums[row]);
                  scatter_force_of(particles, p, stencil, shape, to);
@@ -116,9 +116,9 @@ void accelerate_and_move_pass(const ParticleView<Dim>& particles, const GridView
   for_each_row(particles, from, bins,
                [&](std::ptrdiff_t row, std::size_t p, const BinNode<Dim>& bin, std::size_t) {
                  const Stencil<Dim> before = stencil_of(particles, p, bin, shape);
-                 accelerate(particles, p, before, shape, from, update.dt);
-                 move(particles, p, bin, gather(before, shape, from.momentum), shape, update.dt,
-                      update.reach[row]);
+                 const FromNodes<Dim> nodes = gather_motion(before, shape, from);
+                 accelerate(particles, p, nodes.acceleration, update.dt);
+                 move(particles, p, bin, nodes.velocity, shape, update.dt, update.reach[row]);
                  scatter_mass_momentum_of(particles, p, stencil_of(particles, p, bin, shape), shape,
                                           to);
                });
