@@ -4,12 +4,16 @@
 #include <cmath>
 
 #include "case_error.hpp"
+#include "rgimp/kernels/views.hpp"
 #include "shapes.hpp"
 
 namespace rgimp {
 namespace {
 
 constexpr double kDefaultMargin = 5.0;  // cells between the bodies and the edge of the grid
+/// Before the bodies along x a whole group of bins: their first bin is then a group's first lane
+/// and fewer lanes stay empty (1.13 lanes a particle in example 1 with 5 cells, 1.06 with 8).
+constexpr double kDefaultMarginBefore = kernels::kGroupWidth;
 
 Vector half_size(const Body& body) {
   if (body.shape == BodyShape::disk) {
@@ -132,7 +136,8 @@ Vector Lattice::point(std::int64_t column, std::int64_t row) const {
 Box grid_box(const Case& settings) {
   const Box bodies = bounds(settings);
   const double margin = kDefaultMargin * settings.grid.cell_size;
-  return {settings.grid.min.value_or(bodies.min - Vector(margin, margin, 0.0)),
+  const double before = kDefaultMarginBefore * settings.grid.cell_size;
+  return {settings.grid.min.value_or(bodies.min - Vector(before, margin, 0.0)),
           settings.grid.max.value_or(bodies.max + Vector(margin, margin, 0.0))};
 }
 

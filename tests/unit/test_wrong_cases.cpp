@@ -262,7 +262,7 @@ TEST_CASE("a case beyond the machine's memory is refused with its numbers") {
   const double gibibyte = 1024.0 * 1024.0 * 1024.0;
   CHECK_NOTHROW(rgimp::check_amount(settings, 9.0 * gibibyte));
   CHECK_THROWS_WITH(rgimp::check_amount(settings, 4.0 * gibibyte),
-                    Catch::EndsWith("4: grid.cell_size: makes 8.07e+06 nodes and 3.2e+07 "
+                    Catch::EndsWith("4: grid.cell_size: makes 8.08e+06 nodes and 3.2e+07 "
                                     "particles, which take about 8 GiB; expected no more than this "
                                     "machine's 4 GiB"));
 }
