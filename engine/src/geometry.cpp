@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kDefaultMargin = 5.0;  // cells between the bodies and the edge of the grid
 /// Before the bodies along x a whole group of bins: their first bin is then a group's first lane
-/// and fewer lanes stay empty (1.13 lanes a particle in example 1 with 5 cells, 1.06 with 8).
+/// and fewer lanes stay empty (1.13 lanes a particle in example 1 with 5 cells, 1.05 with 8).
 constexpr double kDefaultMarginBefore = kernels::kGroupWidth;
 
 Vector half_size(const Body& body) {
