@@ -31,7 +31,7 @@ Case load(const CaseArguments& arguments) {
     set_steps(settings, *arguments.steps);
   }
   if (arguments.threads) {
-    settings.threads = *arguments.threads;
+    settings.tuning.threads = *arguments.threads;
   }
   for (const std::string& warning : check_case(settings)) {
     print_warning(warning);

@@ -56,6 +56,10 @@ namespace {
 constexpr int kFewestParticlesPerCell = 2;
 constexpr int kMostParticlesPerCell = 4;
 constexpr int kMostThreads = 1024;  // more is a slip of the pen
+constexpr int kMostBandsPerTask = 64;
+// Bands of one row would reach into those of their own colour.
+constexpr int kLeastBandHeight = 2;
+constexpr int kMostBandHeight = 64;
 
 void check_body_size(const ValueChecker& check, const std::string& path, const Body& body) {
   const std::string key = path + ".size";
@@ -172,12 +176,23 @@ void check_forces(const Case& settings) {
   check.planar("body_force.acceleration", settings.body_acceleration);
 }
 
-void check_threads(const Case& settings) {
-  const ValueChecker check(settings);
-  if (settings.threads < 0 || settings.threads > kMostThreads) {
-    check.refuse("tuning.threads", fmt::format("is {}; expected 0, for all, or up to {}",
-                                               settings.threads, kMostThreads));
+void check_in_range(const Case& settings, const char* key, int value, int least, int most) {
+  if (value < least || value > most) {
+    ValueChecker(settings).refuse(key, fmt::format("is {}; expected {} to {}", value, least, most));
   }
+}
+
+void check_tuning(const Case& settings) {
+  const ValueChecker check(settings);
+  const int threads = settings.tuning.threads;
+  if (threads < 0 || threads > kMostThreads) {
+    check.refuse("tuning.threads",
+                 fmt::format("is {}; expected 0, for all, or up to {}", threads, kMostThreads));
+  }
+  check_in_range(settings, "tuning.bands_per_task", settings.tuning.bands_per_task, 1,
+                 kMostBandsPerTask);
+  check_in_range(settings, "numerics.band_height", settings.numerics.band_height, kLeastBandHeight,
+                 kMostBandHeight);
 }
 
 /// What is accepted but does less than it says.
@@ -221,7 +236,7 @@ std::vector<std::string> check_case(const Case& settings) {
   check_platens(settings);
   check_time(settings);
   check_forces(settings);
-  check_threads(settings);
+  check_tuning(settings);
   check_grid(settings);
   std::vector<std::string> warnings = check_bodies_and_flaws(settings);
   for (std::string& warning : warn_of_output(settings)) {

@@ -197,7 +197,7 @@ Case read_case(const std::filesystem::path& path, std::span<const std::string> o
   const TomlDocument document = load_document(path, overrides);
   const TomlReader root(document.root, "", document.source);
   root.allow_only(Keys{"title", "dimension", "grid", "body", "flaw", "material", "platen", "time",
-                       "damping", "viscosity", "body_force", "output", "tuning"});
+                       "damping", "viscosity", "body_force", "output", "numerics", "tuning"});
   Case settings;
   settings.source = document.source;
   root.accept("title", settings.title);
@@ -215,7 +215,10 @@ Case read_case(const std::filesystem::path& path, std::span<const std::string> o
   if (const auto output = root.table_if_any("output")) {
     read_output(*output, settings.output);
   }
-  read_optional_table<int>(root, "tuning", {{"threads", settings.threads}});
+  read_optional_table<int>(root, "numerics", {{"band_height", settings.numerics.band_height}});
+  read_optional_table<int>(
+      root, "tuning",
+      {{"threads", settings.tuning.threads}, {"bands_per_task", settings.tuning.bands_per_task}});
   check_case(settings);
   return settings;
 }

@@ -220,8 +220,11 @@ std::string write_case(const Case& settings) {
   write_time(writer, settings.time);
   write_forces(writer, settings);
   write_output(writer, settings.output);
+  writer.table("[numerics]");
+  writer.line("band_height", settings.numerics.band_height, "rows; changes round-off");
   writer.table("[tuning]");
-  writer.line("threads", settings.threads, "0: all; never changes a bit of the result");
+  writer.line("threads", settings.tuning.threads, "0: all; never changes a bit of the result");
+  writer.line("bands_per_task", settings.tuning.bands_per_task, "never changes a bit either");
   return writer.take();
 }
 

@@ -52,7 +52,7 @@ class Simulation::Implementation {
   explicit Implementation(Case settings)
       : settings_(checked(std::move(settings))),
         isa_(choose_isa()),
-        workers_(settings_.threads),
+        workers_(settings_.tuning.threads),
         solver_(settings_, isa_, workers_) {}
 
   void run_until(std::int64_t step) {

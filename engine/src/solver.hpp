@@ -83,6 +83,7 @@ class Solver {
   Particles<Dim> particles_;
   Grid<Dim> grid_;
   Bands bands_;
+  std::ptrdiff_t bands_per_task_;
   Platens<Dim> platens_;
   Ledger ledger_;
   double sound_speed_;

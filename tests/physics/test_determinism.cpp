@@ -12,8 +12,8 @@ struct Outcome {
   HistoryRow row;
 };
 
-Outcome crack(int threads, kernels::Isa isa) {
-  Model model(cracking_block(), threads, isa);
+Outcome crack(const Case& settings, int threads, kernels::Isa isa) {
+  Model model(settings, threads, isa);
   for (int part = 0; part < 10; ++part) {
     model.steps(200);
     model.solver.rebin();
@@ -21,7 +21,45 @@ Outcome crack(int threads, kernels::Isa isa) {
   return {state_hash(model.solver.particles()), model.solver.history()};
 }
 
+Outcome crack(int threads, kernels::Isa isa) {
+  return crack(cracking_block(), threads, isa);
+}
+
+HistoryRow elastic_row(Case settings) {
+  settings.materials["rock"].failure.reset();
+  settings.local_damping = 0.0;
+  Model model(settings, 2, kernels::best_isa());
+  model.steps(1000);
+  return model.solver.history();
+}
+
 }  // namespace
+
+TEST_CASE("no tuning changes a bit of a cracking run") {
+  const std::uint64_t expected = crack(1, kernels::best_isa()).hash;
+  Case settings = cracking_block();
+  for (const int bands : {1, 2, 5, 64}) {
+    settings.tuning.bands_per_task = bands;
+    for (const int threads : {1, 2, 3}) {
+      INFO(bands << " bands a task, " << threads << " threads");
+      REQUIRE(crack(settings, threads, kernels::best_isa()).hash == expected);
+    }
+  }
+}
+
+// Before the first failure, and without local damping, as below.
+TEST_CASE("numerics change an elastic run by less than 1e-10") {
+  Case settings = cracking_block();
+  const HistoryRow expected = elastic_row(settings);
+  for (const int height : {2, 3, 8, 64}) {
+    settings.numerics.band_height = height;
+    const HistoryRow row = elastic_row(settings);
+    INFO("bands of " << height << " rows");
+    REQUIRE(row.strain_energy == Approx(expected.strain_energy).epsilon(1e-10));
+    REQUIRE(row.reaction == Approx(expected.reaction).epsilon(1e-10));
+    REQUIRE(row.external_work == Approx(expected.external_work).epsilon(1e-10));
+  }
+}
 
 TEST_CASE("1, 2, 3 and 7 threads give the same bits in a cracking case with re-binning") {
   const Outcome one = crack(1, kernels::best_isa());

@@ -61,8 +61,11 @@ history_every = 7
 snapshot_every = 3
 snapshot_steps = [1, 2]
 checkpoint_every = 11
+[numerics]
+band_height = 6
 [tuning]
 threads = 2
+bands_per_task = 3
 )";
 
 rgimp::Case read_back() {
@@ -114,7 +117,9 @@ TEST_CASE("what is written reads back to the same loads, times and outputs") {
   CHECK(second.body_acceleration.y() == -9.81);
   CHECK(second.output.snapshot_steps == std::vector<std::int64_t>{1, 2});
   CHECK(second.output.checkpoint_every == 11);
-  CHECK(second.threads == 2);
+  CHECK(second.tuning.threads == 2);
+  CHECK(second.tuning.bands_per_task == 3);
+  CHECK(second.numerics.band_height == 6);
 }
 
 TEST_CASE("the examples survive writing, and defaults are spelt out") {

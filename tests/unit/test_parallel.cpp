@@ -31,8 +31,9 @@ TEST_CASE("bands cover every row once, and bands of a colour never touch the sam
 }
 
 TEST_CASE("a scatter clears every row once, before anything is added to it") {
+  const std::ptrdiff_t height = GENERATE(2, 3, 4, 8, 16);
   for (const std::ptrdiff_t layers : {1, 8, 9, 16, 17, 24, 31, 32, 211}) {
-    const Bands bands(layers, 1, 8);
+    const Bands bands(layers, 1, height);
     std::vector<int> cleared(static_cast<std::size_t>(layers), 0);
     for (int colour = 0; colour < 2; ++colour) {
       for (std::ptrdiff_t i = 0; i < bands.count_of(colour); ++i) {
@@ -54,8 +55,9 @@ TEST_CASE("a scatter clears every row once, before anything is added to it") {
 }
 
 TEST_CASE("every row is completed once, by the last band that adds to it") {
+  const std::ptrdiff_t height = GENERATE(2, 3, 4, 8, 16);
   for (const std::ptrdiff_t layers : {1, 8, 9, 16, 17, 24, 31, 32, 211}) {
-    const Bands bands(layers, 1, 8);
+    const Bands bands(layers, 1, height);
     std::vector<int> completed(static_cast<std::size_t>(layers), 0);
     for (int colour = 0; colour < 2; ++colour) {
       for (std::ptrdiff_t i = 0; i < bands.count_of(colour); ++i) {

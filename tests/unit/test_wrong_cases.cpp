@@ -214,6 +214,13 @@ TEST_CASE("time, forces and output out of range are refused") {
       {last, last + "\n[tuning]\nthreads = 1025",
        "34: tuning.threads: is 1025; expected 0, for all, or up to 1024"},
       {last, last + "\n[tuning]\nthreads = 1024", "accepted"},
+      {last, last + "\n[tuning]\nbands_per_task = 0",
+       "34: tuning.bands_per_task: is 0; expected 1 to 64"},
+      {last, last + "\n[tuning]\nbands_per_task = 64", "accepted"},
+      {last, last + "\n[numerics]\nband_height = 1",
+       "34: numerics.band_height: is 1; expected 2 to 64"},
+      {last, last + "\n[numerics]\nband_height = 65",
+       "34: numerics.band_height: is 65; expected 2 to 64"},
   });
 }
 

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "rgimp/tuning.hpp"
+
 /// A case: everything one simulation is made of, as plain values in SI units (m, kg, s, Pa).
 /// Vectors always have three components; in two dimensions the third is zero.
 /// y is up: top is +y, bottom -y, right +x, left -x. Tension is positive.
@@ -135,7 +137,8 @@ struct Case {
   double linear_viscosity = 0.06;             ///< 1, c1 of the bulk viscosity
   Vector body_acceleration = Vector::Zero();  ///< m/s2
   OutputSettings output;
-  int threads = 0;  ///< up to 1024; 0: all the machine has; never changes a bit
+  Numerics numerics;
+  Tuning tuning;
   CaseSource source;
 };
 

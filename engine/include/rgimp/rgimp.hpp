@@ -6,3 +6,4 @@
 #include "rgimp/machine.hpp"
 #include "rgimp/run.hpp"
 #include "rgimp/simulation.hpp"
+#include "rgimp/tuning.hpp"
