@@ -19,6 +19,7 @@ class Engine {
   /// In one region of Workers, as the steps of a run between two outputs are.
   void steps(std::int64_t count);
 
+  Solver<2>& solver() { return *solver_; }
   HistoryRow history() { return solver_->history(); }
   std::size_t particles() { return solver_->particles().count; }
   /// Particles and the padding among them.

@@ -34,6 +34,8 @@ def page(context, results, picture):
         parts += ["## Peaks", tables.PEAKS_TEXT, tables.peaks(results)]
     if results.of("step"):
         parts += ["## Steps of example 1", tables.STEPS_TEXT, *tables.steps(results)]
+    if results.of("kernel"):
+        parts += ["## Kernels", tables.KERNELS_TEXT, tables.kernels(results)]
     if results.of("size"):
         parts += ["## Size", tables.SIZES_TEXT, tables.sizes(results)]
     if picture:

@@ -6,6 +6,9 @@ from report_data import ratio
 
 ISAS = ("reference", "baseline", "avx2", "avx512")
 INTEGRATORS = ("musl", "usl", "usf")
+KERNELS = ("scatter_all", "scatter_mass_momentum", "accelerate", "strain_and_move",
+           "accelerate_strain_and_move", "strain", "accelerate_and_move", "update_nodes",
+           "divide_by_mass", "weights", "G2P", "stress", "failure")
 NOT_MEASURED = "–"
 FAILED = "failed"
 
@@ -22,6 +25,12 @@ of particle columns by the model in `bench/traffic.hpp`, and its share of the tr
 share may exceed 1; out of it, updates in place cost no write-allocate, so the machine is saturated
 at 1.33 where the triad pays for it. `random` has a Poisson number of particles in each bin, which
 costs lanes that stay empty."""
+KERNELS_TEXT = """\
+Nanoseconds per particle on one thread, in cache, over all rows of the grid; `ratio` is to the
+scalar twin. What an engine calls comes first: `scatter` is P2G, the others are passes, which
+gather, update and scatter, or go over the nodes. Then the parts that passes are made of, alone:
+weights, a gathered vector field with the places it is gathered at, the elastic stress, the test for
+failure."""
 SIZES_TEXT = """\
 MUSL on the widest instructions. Nanoseconds of a particle-step by the clock on the wall; start-up,
 from the case to the first step, in seconds per million particles."""
@@ -119,6 +128,24 @@ def step_row(results, threads, setting):
             show(number("ns_per_particle_step_and_core", threads=most), 1, 1),
             show(traffic, 1e-9, 1),
             show(ratio(traffic, triad(results, most)), 1, 2)]
+
+
+def kernels(results):
+    measured = [isa for isa in ISAS if results.of("kernel", isa=isa)]
+    rivals = [isa for isa in measured if isa != "reference"]
+    names = dict.fromkeys([*KERNELS, *results.values("name", "kernel")])
+    header = ["kernel", *(f"ns, {isa}" for isa in measured), *(f"ratio, {isa}" for isa in rivals)]
+    return table(header, [kernel_row(results, name, measured, rivals) for name in names
+                          if results.of("kernel", name=name)])
+
+
+def kernel_row(results, name, measured, rivals):
+    def number(counter, isa):
+        return results.number(counter, "kernel", name=name, isa=isa)
+
+    reference = number("particles_per_second", "reference")
+    return [name, *(show(number("ns_per_particle", isa), 1, 2) for isa in measured),
+            *(show(ratio(number("particles_per_second", isa), reference), 1, 2) for isa in rivals)]
 
 
 def sizes(results):

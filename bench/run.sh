@@ -20,11 +20,13 @@ if [[ ${1:-} == --keep ]]; then
 fi
 
 step_options=()
+kernel_options=()
 size_options=()
 if [[ ${1:-} == --quick ]]; then
   shift
   quick=(--benchmark_min_time=0.05 --benchmark_repetitions=3)
   step_options=("${quick[@]}" --benchmark_filter='-cells:1000/')
+  kernel_options=("${quick[@]}")
   size_options=("${quick[@]}" --benchmark_filter='-cells:(910|1580)/')
 fi
 (($# == 0)) || fail "$usage"
@@ -44,10 +46,11 @@ measure() { # PROGRAM [OPTION...]
 mkdir -p "$results"
 rm -f "$results"/*
 measure bench_step "${step_options[@]}"
+measure bench_kernels "${kernel_options[@]}"
 measure bench_size "${size_options[@]}"
 
 step "Report (bench/report.py)"
-"$report" "$results"/bench_{step,size}.json --page "$results/results.md" \
+"$report" "$results"/bench_{step,kernels,size}.json --page "$results/results.md" \
   --picture "$results/size.png" --data "$results/results.json"
 cat "$results/results.md"
 [[ $all_right == yes ]] || fail "a benchmark failed; $results/results.md says which"

@@ -26,25 +26,26 @@ inline constexpr int kFailureMode = 1;
 inline constexpr int kStress = 4;
 inline constexpr int kAll =
     kPosition + kVelocity + kMass + kVolume + kViscousEnergy + kFailureMode + kStress;
+inline constexpr int kMotion = kPosition + kVelocity + kMass;
+inline constexpr int kStrained = kVolume + kViscousEnergy + kStress;  // what a new strain changes
 }  // namespace columns
 
 /// Bytes per lane and step.
 constexpr double bytes_of_step(Integrator integrator) {
   using namespace columns;
-  constexpr int kStrained = kVolume + kViscousEnergy + kStress;  // what a new strain changes
   Pass first{};
   Pass second{};
   switch (integrator) {
     case Integrator::musl:
-      first = {kPosition + kMass + kVelocity, kVelocity};  // new velocities, scattered again
-      second = {kAll, kPosition + kStrained};              // strain, move, scatter
+      first = {kMotion, kVelocity};            // new velocities, scattered again
+      second = {kAll, kPosition + kStrained};  // strain, move, scatter
       break;
     case Integrator::usl:
       first = {kAll, kVelocity + kPosition + kStrained};  // all in one
       break;
     case Integrator::usf:
-      first = {kPosition + kVelocity + kMass, kPosition + kVelocity};  // move, scatter momentum
-      second = {kAll - kVelocity, kStrained};                          // strain, scatter force
+      first = {kMotion, kPosition + kVelocity};  // move, scatter momentum
+      second = {kAll - kVelocity, kStrained};    // strain, scatter force
       break;
   }
   return static_cast<double>(sizeof(double)) *

@@ -1,6 +1,6 @@
 """The benchmark programs: what they offer, and that a benchmark is verified, runs and is reported.
 
-Usage: test_programs.py BENCH_STEP BENCH_SIZE [unittest's options]
+Usage: test_programs.py BENCH_STEP BENCH_KERNELS BENCH_SIZE [unittest's options]
 """
 
 import json
@@ -10,7 +10,7 @@ import unittest
 
 from report_test import ReportTest
 
-BENCH_STEP, BENCH_SIZE = (sys.argv.pop(1) for _ in range(2))
+BENCH_STEP, BENCH_KERNELS, BENCH_SIZE = (sys.argv.pop(1) for _ in range(3))
 SHORT = ("--benchmark_min_time=0.001", "--benchmark_repetitions=2")
 
 
@@ -38,6 +38,11 @@ class Programs(ReportTest):
                      "step/cells:100/particles:random/integrator:usf/isa:baseline/threads:2",
                      "step/cells:1000/particles:lattice/integrator:usl/isa:reference/threads:1"):
             self.assertIn(name + "/real_time", steps)
+        kernels = output_of(BENCH_KERNELS, "--benchmark_list_tests").split()
+        for name in ("scatter_all", "accelerate_strain_and_move", "divide_by_mass", "weights",
+                     "G2P", "stress", "failure"):
+            for isa in ("reference", "baseline"):
+                self.assertIn(f"kernel/name:{name}/isa:{isa}/real_time", kernels)
         self.assertEqual(len(output_of(BENCH_SIZE, "--benchmark_list_tests").split()), 20)
 
     def test_a_size_is_verified_and_reported(self):
@@ -57,6 +62,15 @@ class Programs(ReportTest):
         self.assertNotIn("error_occurred", row)
         self.assertEqual(row["particles"], 79618)
         self.assertGreater(row["lanes_per_particle"], 1.5)
+
+    def test_kernels_are_verified_and_reported(self):
+        for name in ("strain_and_move", "failure"):
+            path, document = self.measure(BENCH_KERNELS, f"kernel/name:{name}/isa:baseline")
+            row = document["benchmarks"][0]
+            self.assertNotIn("error_occurred", row)
+            self.assertEqual(row["particles"], 79618)
+            self.assertGreater(row["model_bytes_per_second"], 0)
+            self.assertEqual(self.row(self.report(path), name)[1:], ["–"])
 
     def test_peak(self):
         _, document = self.measure(BENCH_STEP, "fma/isa:baseline/threads:1")

@@ -44,6 +44,11 @@ def size(cells, threads, speed):
                    startup_seconds=1e-6 * cells**2, bytes_per_particle=120.4)
 
 
+def kernel(name, isa, nanoseconds):
+    return medians(f"kernel/name:{name}/isa:{isa}/real_time", ns_per_particle=nanoseconds,
+                   particles_per_second=1e9 / nanoseconds)
+
+
 TRIAD = (medians("triad/threads:1/real_time", bytes_per_second=20e9) +
          medians("triad/threads:2/real_time", bytes_per_second=32e9))
 
@@ -115,6 +120,27 @@ class SyntheticTest(ReportTest):
         page = self.report(self.write(TRIAD + rows))
         self.assertEqual(self.row(page, "multiply-add, avx2, GFLOP/s"), ["50.0", "100.0", "2.00"])
         self.assertEqual(self.row(page, "triad, GB/s"), ["20.0", "32.0", "1.60"])
+
+    def test_kernels(self):
+        page = self.report(self.write(
+            kernel("a new one", "avx2", 1.0) + kernel("G2P", "avx2", 2.5) +
+            kernel("G2P", "avx512", 1.25) + kernel("strain", "reference", 60.0) +
+            kernel("strain", "avx2", 12.0)))
+        self.assertIn("| ns, reference | ns, avx2 | ns, avx512 | ratio, avx2 | ratio, avx512 |\n",
+                      page)
+        self.assertEqual(self.row(page, "strain"), ["60.00", "12.00", "–", "5.00", "–"])
+        self.assertEqual(self.row(page, "G2P"), ["–", "2.50", "1.25", "–", "–"])
+        order = [page.index(f"| {name} |") for name in ("strain", "G2P", "a new one")]
+        self.assertEqual(order, sorted(order))
+
+    def test_failed_kernels(self):
+        page = self.report(self.write(
+            kernel("strain", "reference", 60.0) +
+            failed("kernel/name:strain/isa:avx2/real_time", "differs by 0.5") +
+            failed("kernel/name:G2P/isa:reference/real_time", "differs by 0.5") +
+            kernel("G2P", "avx2", 2.5)))
+        self.assertEqual(self.row(page, "strain"), ["60.00", "failed", "failed"])
+        self.assertEqual(self.row(page, "G2P"), ["failed", "2.50", "–"])
 
     def test_sizes(self):
         rows = [row for cells in (100, 11) for n in (1, 2) for row in size(cells, n, 50e6 * n)]
