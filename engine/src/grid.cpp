@@ -61,11 +61,16 @@ void Grid<Dim>::clear_rows(Field& field, kernels::RowRange rows) {
 
 template <int Dim>
 void Grid<Dim>::clear(kernels::RowRange rows, int layer) {
+  clear_mass_momentum(rows, layer);
+  clear_force(rows, layer);
+}
+
+template <int Dim>
+void Grid<Dim>::clear_mass_momentum(kernels::RowRange rows, int layer) {
   clear_rows(mass_, rows);
   for (auto& field : momentum_[layer]) {
     clear_rows(field, rows);
   }
-  clear_force(rows, layer);
 }
 
 template <int Dim>

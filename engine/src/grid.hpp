@@ -32,6 +32,7 @@ class Grid {
   kernels::GridView<Dim> view(int layer = 0);
   /// Sets mass, and momentum and force of a layer, of node rows to zero.
   void clear(kernels::RowRange rows, int layer = 0);
+  void clear_mass_momentum(kernels::RowRange rows, int layer);
   void clear_force(kernels::RowRange rows, int layer);
   void clear_second_field(kernels::RowRange rows);
   std::size_t memory_bytes() const;

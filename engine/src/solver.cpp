@@ -188,7 +188,7 @@ void Solver<Dim>::strain() {
 template <int Dim>
 void Solver<Dim>::accelerate_and_move() {
   over_bands(Stage::second_pass, [&](std::ptrdiff_t band) {
-    grid_.clear(bands_.cleared_rows(band), 1 - layer_);
+    grid_.clear_mass_momentum(bands_.cleared_rows(band), 1 - layer_);
     kernels_.accelerate_and_move(p_, now(), next(), update_, bands_.rows(band));
     find_strain_velocity(next().momentum, bands_.completed_rows(band));
   });

@@ -9,8 +9,9 @@
 namespace rgimp::tests {
 
 TEST_CASE("bands cover every row once, and bands of a colour never touch the same row") {
+  const std::ptrdiff_t height = GENERATE(2, 3, 4, 8, 16);
   for (const std::ptrdiff_t layers : {1, 7, 8, 9, 15, 16, 17, 24, 25, 33, 211}) {
-    const Bands bands(layers, 1, 8);
+    const Bands bands(layers, 1, height);
     std::vector<int> covered(static_cast<std::size_t>(layers), 0);
     for (int colour = 0; colour < 2; ++colour) {
       std::vector<int> touched(static_cast<std::size_t>(layers), 0);
