@@ -27,4 +27,10 @@ struct RunArguments {
   Verbosity verbosity = Verbosity::normal;
 };
 
+struct CracksArguments {
+  std::filesystem::path directory;            ///< written by `rgimp run`
+  std::optional<std::int64_t> step;           ///< none: of the last snapshot
+  std::optional<std::filesystem::path> json;  ///< none: not written
+};
+
 }  // namespace rgimp::cli

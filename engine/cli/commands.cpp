@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "crack_table.hpp"
 #include "format.hpp"
 #include "messages.hpp"
 #include "progress_display.hpp"
@@ -161,6 +162,14 @@ void check(const CaseArguments& arguments) {
   if (step_seconds > 0.0) {
     print_line("speed", describe_speed(static_cast<double>(facts.particles) / step_seconds));
     print_line("estimated time", format_duration(total * step_seconds));
+  }
+}
+
+void show_cracks(const CracksArguments& arguments) {
+  const Cracks cracks = trace_cracks(arguments.directory, arguments.step);
+  fmt::print("{}", format_cracks(cracks));
+  if (arguments.json) {
+    write_cracks(*arguments.json, cracks);
   }
 }
 

@@ -9,6 +9,8 @@ namespace rgimp::cli {
 void run(const RunArguments& arguments);
 /// `rgimp check`: says what a run would be, after trying a few steps in memory; writes nothing.
 void check(const CaseArguments& arguments);
+/// `rgimp cracks`: says how the cracks of an output directory grew.
+void show_cracks(const CracksArguments& arguments);
 /// `rgimp info`: what this build and machine are.
 void info();
 

@@ -88,6 +88,29 @@ void add_check(CLI::App& app, CaseArguments& arguments) {
   command->callback([&arguments] { check(arguments); });
 }
 
+void add_cracks(CLI::App& app, CracksArguments& arguments) {
+  CLI::App* command = app.add_subcommand(
+      "cracks", "Measure the cracks of an output directory: wings, angles, order of events");
+  command->add_option("DIR", arguments.directory, "Written by rgimp run")
+      ->required()
+      ->type_name("DIR");
+  command
+      ->add_option("--step", arguments.step,
+                   "State at this step, the end by default; the last snapshot knows them all")
+      ->type_name("N")
+      ->check(at_least(0));
+  command
+      ->add_option("--json", arguments.json,
+                   "Write everything, each wing's front over the steps too")
+      ->type_name("FILE");
+  command->footer(
+      "A tip of the n-th slot is the n-th pair of letters: A along its angle, B opposite.\n"
+      "Examples:\n"
+      "  rgimp cracks single_flaw\n"
+      "  rgimp cracks single_flaw --step 66240 --json cracks.json");
+  command->callback([&arguments] { show_cracks(arguments); });
+}
+
 void describe_app(CLI::App& app) {
   app.set_version_flag("--version", "rgimp " + std::string(rgimp::version()));
   app.require_subcommand(0, 1);
@@ -95,6 +118,7 @@ void describe_app(CLI::App& app) {
       "Examples:\n"
       "  rgimp check single_flaw.toml      what a run would take\n"
       "  rgimp run single_flaw.toml        run it; results in single_flaw/\n"
+      "  rgimp cracks single_flaw          its cracks in numbers\n"
       "  rgimp-plot single_flaw            pictures of the results\n"
       "  rgimp run --help                  options of a subcommand\n"
       "\n"
@@ -112,6 +136,8 @@ int parse_and_run(int argc, char** argv) {
   add_run(app, run_arguments);
   CaseArguments check_arguments;
   add_check(app, check_arguments);
+  CracksArguments cracks_arguments;
+  add_cracks(app, cracks_arguments);
   app.add_subcommand("info", "Version, instruction set and threads of this build and machine")
       ->callback(info);
   try {

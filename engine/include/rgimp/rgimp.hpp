@@ -2,6 +2,7 @@
 
 #include "rgimp/case.hpp"
 #include "rgimp/case_file.hpp"
+#include "rgimp/cracks.hpp"
 #include "rgimp/error.hpp"
 #include "rgimp/machine.hpp"
 #include "rgimp/run.hpp"

@@ -1,0 +1,114 @@
+#include "snapshot_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "hdf5_image.hpp"
+#include "rgimp/error.hpp"
+
+namespace rgimp {
+
+namespace {
+
+/// The numbers in one element of a column.
+template <typename Number>
+constexpr std::size_t kColumns = 1;
+template <typename Number, std::size_t Count>
+constexpr std::size_t kColumns<std::array<Number, Count>> = Count;
+
+template <typename Number>
+struct BasicNumber {
+  using Type = Number;
+};
+template <typename Number, std::size_t Count>
+struct BasicNumber<std::array<Number, Count>> {
+  using Type = Number;
+};
+
+class SnapshotReader {
+ public:
+  SnapshotReader(const std::filesystem::path& path, std::size_t particles)
+      : path_(path.string()),
+        particles_(particles),
+        file_(H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
+              fmt::format("read '{}'", path_)) {}
+
+  /// Nothing is read before the sizes in the file are known to be those of `values`.
+  template <typename Row>
+  void read(const std::string& name, std::vector<Row>& values) const {
+    const std::string action = fmt::format("read '{}' of '{}'", name, path_);
+    const Hdf5Handle dataset(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), H5Dclose, action);
+    check_extent(dataset.get(), name, kColumns<Row>);
+    values.resize(particles_);
+    const hid_t type = hdf5_type<typename BasicNumber<Row>::Type>();
+    if (H5Dread(dataset.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
+      refuse(fmt::format("'{}' cannot be read as numbers", name));
+    }
+  }
+
+  [[noreturn]] void refuse(const std::string& reason) const {
+    throw FileError(fmt::format("snapshot '{}': {}", path_, reason));
+  }
+
+ private:
+  void check_extent(hid_t dataset, const std::string& name, std::size_t columns) const {
+    const Hdf5Handle space(H5Dget_space(dataset), H5Sclose, fmt::format("read '{}'", path_));
+    const int wanted_rank = columns == 1 ? 1 : 2;
+    std::array<hsize_t, 2> extent{0, 1};
+    if (H5Sget_simple_extent_ndims(space.get()) != wanted_rank ||
+        H5Sget_simple_extent_dims(space.get(), extent.data(), nullptr) != wanted_rank ||
+        extent[0] != particles_ || extent[1] != columns) {
+      refuse(fmt::format("'{}' is not the {} x {} numbers of this case's particles", name,
+                         particles_, columns));
+    }
+  }
+
+  Hdf5Silence silence_;
+  std::string path_;
+  std::size_t particles_;
+  Hdf5Handle file_;
+};
+
+/// Every id once, every failure with its step.
+void check_values(const SnapshotReader& reader, const ParticleTable& table) {
+  std::vector<char> seen(table.size());
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    const std::uint32_t id = table.id[row];
+    if (id >= table.size() || seen[id] != 0) {
+      reader.refuse(fmt::format("id {} is not there once", id));
+    }
+    seen[id] = 1;
+    if (table.failed[row] > FailureMode::shear) {
+      reader.refuse(fmt::format("particle {} has the unknown failure mode {}", id,
+                                static_cast<int>(table.failed[row])));
+    }
+    if ((table.failed[row] == FailureMode::intact) != (table.failure_step[row] < 0)) {
+      reader.refuse(fmt::format("'failed' and 'failure_step' of particle {} do not agree", id));
+    }
+  }
+}
+
+}  // namespace
+
+ParticleTable read_snapshot(const std::filesystem::path& path, std::size_t particles) {
+  const SnapshotReader reader(path, particles);
+  ParticleTable table;
+  reader.read("VTKHDF/PointData/id", table.id);
+  reader.read("VTKHDF/Points", table.position);
+  reader.read("VTKHDF/PointData/velocity", table.velocity);
+  reader.read("VTKHDF/PointData/stress", table.stress);
+  reader.read("VTKHDF/PointData/max_principal_stress", table.max_principal_stress);
+  std::vector<std::uint8_t> modes;
+  reader.read("VTKHDF/PointData/failed", modes);
+  for (const std::uint8_t mode : modes) {
+    table.failed.push_back(static_cast<FailureMode>(mode));
+  }
+  reader.read("VTKHDF/PointData/failure_step", table.failure_step);
+  check_values(reader, table);
+  return table;
+}
+
+}  // namespace rgimp
