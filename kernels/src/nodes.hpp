@@ -45,9 +45,8 @@ inline void update_node_batch(const GridView<Dim>& grid, const NodeUpdate<Dim>& 
         xsimd::select(velocity > zero, size, xsimd::select(velocity < zero, -size, zero));
     const Batch acceleration = (force - damping) * inverse;
     const Batch new_velocity = fused(dt, acceleration, velocity);
-    const Batch travel = Batch(0.5 * update.dt) * (velocity + new_velocity);
-    damping_work = fused(damping, travel, damping_work);
-    body_work = fused(body, travel, body_work);
+    damping_work = fused(damping, dt * velocity, damping_work);
+    body_work = fused(body, Batch(0.5 * update.dt) * (velocity + new_velocity), body_work);
     acceleration.store_aligned(grid.force[a] + node);
     new_velocity.store_aligned(grid.momentum[a] + node);
   }

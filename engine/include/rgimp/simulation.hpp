@@ -24,7 +24,7 @@ struct HistoryRow {
   double kinetic_energy = 0.0;   ///< J, here and below in 2D per metre of thickness
   double strain_energy = 0.0;    ///< J, sum of V sigma : C^-1 : sigma / 2
   double external_work = 0.0;    ///< J, of platens and body force
-  double damping_work = 0.0;     ///< J, taken by local damping
+  double damping_work = 0.0;     ///< J, taken by local damping, never falls
   double viscous_work = 0.0;     ///< J, taken by bulk viscosity
   double released_energy = 0.0;  ///< J, strain energy dropped by failure
   std::int64_t failed_tension = 0;
