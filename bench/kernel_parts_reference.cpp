@@ -15,18 +15,19 @@ double* place_in(double* out, std::size_t slot_mask, std::size_t slot, std::size
 
 void find_weights(const PartInput& input, double* out, std::size_t slot_mask) {
   const Shape<2> shape(input.grid);
-  for_each_particle(
-      input.particles, input.grid, input.bins,
-      [&](std::size_t p, const BinNode<2>& bin, std::size_t slot) {
-        double* to = place_in<kWeightColumns>(out, slot_mask, slot, p);
-        for (const AxisWeights& weights : stencil_of(input.particles, p, bin, shape).axis) {
-          for (int k = 0; k < 3; ++k) {
-            to[k * kGroupWidth] = weights.value[k];
-            to[(3 + k) * kGroupWidth] = weights.slope[k] * input.grid.cell_size;
-          }
-          to += 6 * kGroupWidth;
-        }
-      });
+  for_each_particle(input.particles, input.grid, input.bins,
+                    [&](std::size_t p, const BinNode<2>& bin, std::size_t slot) {
+                      double* to = place_in<kWeightColumns>(out, slot_mask, slot, p);
+                      const Stencil<2> stencil = stencil_of(input.particles, p, bin, shape);
+                      for (int a = 0; a < 2; ++a) {
+                        const AxisWeights& weights = stencil.axis[a];
+                        for (int k = 0; k < 3; ++k) {
+                          to[k * kGroupWidth] = weights.value[k];
+                          to[(3 + k) * kGroupWidth] = weights.slope[k] * input.grid.spacing[a];
+                        }
+                        to += 6 * kGroupWidth;
+                      }
+                    });
 }
 
 void gather_force(const PartInput& input, double* out, std::size_t slot_mask) {

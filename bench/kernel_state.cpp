@@ -170,7 +170,7 @@ PartInput KernelState::part_input() {
   return {.particles = particles.view(),
           .grid = grid.view(),
           .material = materials.data(),
-          .strain_per_velocity = node_update.dt / grid.view().cell_size,
+          .strain_per_velocity = node_update.dt / grid.view().spacing[0],
           .bins = bins()};
 }
 

@@ -34,12 +34,13 @@ template <int Dim>
 
 /// The particle's nearest node, whose neighbours on every side are in the grid too.
 template <int Dim>
-std::size_t bin_of(const Particles<Dim>& particles, const Grid<Dim>& grid, std::size_t index) {
-  const GridExtent& extent = grid.extent();
+std::size_t bin_of(const Particles<Dim>& particles, const Grid<Dim>& grid, int layer,
+                   std::size_t index) {
+  const GridExtent& extent = grid.extent(layer);
   const std::ptrdiff_t stride[3] = {1, grid.row_stride(), grid.row_stride() * extent.nodes[1]};
   std::ptrdiff_t bin = 0;
   for (int a = 0; a < Dim; ++a) {
-    const double cells = (particles.position[a][index] - extent.origin[a]) / extent.cell_size;
+    const double cells = (particles.position[a][index] - extent.origin[a]) / extent.spacing[a];
     const double node = std::floor(cells + 0.5);
     if (!(node >= 1.0 && node <= static_cast<double>(extent.nodes[a] - 2))) {
       throw_outside(particles, index);
@@ -113,14 +114,14 @@ void permute(Column& column, const Source& source, Value padding, Workers& worke
 }
 
 template <int Dim>
-void put_padding_on_nodes(Particles<Dim>& particles, const Grid<Dim>& grid) {
+void put_padding_on_nodes(Particles<Dim>& particles, const Grid<Dim>& grid, int layer) {
   for (std::size_t group = 0; group + 1 < particles.group_begin.size(); ++group) {
     const std::size_t first = particles.group_begin[group] * kGroupWidth;
     const std::size_t last = particles.group_begin[group + 1] * kGroupWidth;
     for (std::size_t index = first; index < last; ++index) {
       if (particles.is_padding(index)) {
-        const Vector node =
-            grid.position(static_cast<std::ptrdiff_t>(group * kGroupWidth + index % kGroupWidth));
+        const std::size_t bin = group * kGroupWidth + index % kGroupWidth;
+        const Vector node = grid.position(static_cast<std::ptrdiff_t>(bin), layer);
         for (int a = 0; a < Dim; ++a) {
           particles.position[a][index] = node[a];
         }
@@ -151,14 +152,14 @@ Particles<Dim> particles_from(const std::vector<ParticleSeed>& seeds) {
 
 template <int Dim>
 void bin_particles(Particles<Dim>& particles, const std::vector<std::uint8_t>& material_of_id,
-                   const Grid<Dim>& grid, Workers& workers) {
+                   const Grid<Dim>& grid, Workers& workers, int layer) {
   const std::size_t materials =
       1 + static_cast<std::size_t>(*std::max_element(material_of_id.begin(), material_of_id.end()));
   Layout layout(static_cast<std::size_t>(grid.rows() * grid.row_stride()), materials);
   std::vector<std::uint32_t> bin(particles.lanes());
   for (std::size_t i = 0; i < particles.lanes(); ++i) {
     if (!particles.is_padding(i)) {
-      bin[i] = static_cast<std::uint32_t>(bin_of(particles, grid, i));
+      bin[i] = static_cast<std::uint32_t>(bin_of(particles, grid, layer, i));
       layout.add(bin[i], material_of_id[particles.id[i]]);
     }
   }
@@ -172,11 +173,11 @@ void bin_particles(Particles<Dim>& particles, const std::vector<std::uint8_t>& m
   }
   particles.for_each_column(
       [&](auto& column, auto padding) { permute(column, source, padding, workers); });
-  put_padding_on_nodes(particles, grid);
+  put_padding_on_nodes(particles, grid, layer);
 }
 
 template Particles<2> particles_from<2>(const std::vector<ParticleSeed>&);
 template void bin_particles<2>(Particles<2>&, const std::vector<std::uint8_t>&, const Grid<2>&,
-                               Workers&);
+                               Workers&, int);
 
 }  // namespace rgimp

@@ -13,11 +13,12 @@ template <int Dim>
 Particles<Dim> particles_from(const std::vector<ParticleSeed>& seeds);
 
 /// Sorts particles into the bins of their nearest nodes, in groups of eight bins, keeping the
-/// present order within a bin. Padding lanes are put on their bin's node.
+/// present order within a bin. Padding lanes are put on their bin's node. Bins are those of the
+/// grid's `layer`.
 /// Throws PhysicsError for a particle that is not inside the grid (or not a number), with the
 /// particles as they were.
 template <int Dim>
 void bin_particles(Particles<Dim>& particles, const std::vector<std::uint8_t>& material_of_id,
-                   const Grid<Dim>& grid, Workers& workers);
+                   const Grid<Dim>& grid, Workers& workers, int layer = 0);
 
 }  // namespace rgimp

@@ -48,7 +48,7 @@ void check_margin(const Case& settings, const GridExtent& extent) {
   const ValueChecker check(settings);
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const auto i = static_cast<Eigen::Index>(axis);
-    const double cell = extent.cell_size;
+    const double cell = extent.spacing[i];
     const double last = extent.origin[i] + cell * static_cast<double>(extent.nodes[axis] - 1);
     const double below = (bodies.min[i] - extent.origin[i]) / cell;
     const double above = (last - bodies.max[i]) / cell;
@@ -68,12 +68,12 @@ void check_margin(const Case& settings, const GridExtent& extent) {
 void check_on_grid_line(const Case& settings, const GridExtent& extent, std::size_t index) {
   const PlatenContact contact(settings.platens[index], bounds(settings));
   const int axis = contact.side.axis;
-  const double cells = (contact.end - extent.origin[axis]) / extent.cell_size;
+  const double cells = (contact.end - extent.origin[axis]) / extent.spacing[axis];
   if (std::abs(cells - std::round(cells)) <= kGridTolerance) {
     return;
   }
   const auto size_to_line = [&](double line) {
-    return std::abs(extent.origin[axis] + line * extent.cell_size - contact.opposite);
+    return std::abs(extent.origin[axis] + line * extent.spacing[axis] - contact.opposite);
   };
   const double one = size_to_line(std::floor(cells));
   const double other = size_to_line(std::ceil(cells));
@@ -88,8 +88,8 @@ void check_on_grid_line(const Case& settings, const GridExtent& extent, std::siz
 void check_contact_nodes(const Case& settings, const GridExtent& extent, std::size_t index) {
   const PlatenContact contact(settings.platens[index], bounds(settings));
   const double origin = extent.origin[contact.across];
-  const double cells = (contact.center - origin) / extent.cell_size;
-  const double nearest = origin + std::round(cells) * extent.cell_size;
+  const double spacing = extent.spacing[contact.across];
+  const double nearest = origin + std::round((contact.center - origin) / spacing) * spacing;
   if (!contact.holds(nearest)) {
     refuse(settings.source, fmt::format("platen[{}].half_width", index),
            fmt::format("is {}, within which no grid node lies; expected at least {:.6g}",

@@ -144,11 +144,11 @@ Box grid_box(const Case& settings) {
 GridExtent grid_extent(const Case& settings) {
   const Box box = grid_box(settings);
   GridExtent extent;
-  extent.cell_size = settings.grid.cell_size;
+  extent.spacing = Vector::Constant(settings.grid.cell_size);
   extent.origin = box.min;
   extent.nodes = {1, 1, 1};
   for (int axis = 0; axis < 2; ++axis) {
-    const double cells = (box.max[axis] - box.min[axis]) / extent.cell_size;
+    const double cells = (box.max[axis] - box.min[axis]) / extent.spacing[axis];
     extent.nodes[static_cast<std::size_t>(axis)] =
         static_cast<std::int64_t>(std::ceil(cells - kGridTolerance)) + 1;
   }

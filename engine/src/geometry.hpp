@@ -19,10 +19,10 @@ Box bounds(const Body& body);
 /// Of all bodies together.
 Box bounds(const Case& settings);
 
-/// Where the grid lies: node (i, j) is at origin + cell_size * (i, j).
+/// Where the grid lies: node (i, j) is at origin + (i, j) * spacing, axis by axis.
 struct GridExtent {
   Vector origin = Vector::Zero();       ///< m
-  double cell_size = 0.0;               ///< m
+  Vector spacing = Vector::Zero();      ///< m, edges of a cell
   std::array<std::int64_t, 3> nodes{};  ///< per axis; 1 along z in 2D
 };
 

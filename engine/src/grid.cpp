@@ -6,7 +6,7 @@ namespace rgimp {
 
 template <int Dim>
 Grid<Dim>::Grid(const GridExtent& extent, int particles_per_cell, double damping)
-    : extent_(extent),
+    : extent_{extent, extent},
       particle_half_size_(0.5 / particles_per_cell),
       groups_in_row_((extent.nodes[0] + kernels::kGroupWidth - 1) / kernels::kGroupWidth) {
   const std::size_t size = static_cast<std::size_t>(rows() * row_stride() + 2 * kHalo);
@@ -23,31 +23,32 @@ Grid<Dim>::Grid(const GridExtent& extent, int particles_per_cell, double damping
 
 template <int Dim>
 std::ptrdiff_t Grid<Dim>::rows() const {
-  return extent_.nodes[1] * extent_.nodes[2];
+  return extent().nodes[1] * extent().nodes[2];
 }
 
 template <int Dim>
-Vector Grid<Dim>::position(std::ptrdiff_t node) const {
+Vector Grid<Dim>::position(std::ptrdiff_t node, int layer) const {
+  const GridExtent& extent = extent_[layer];
   const std::ptrdiff_t row = node / row_stride();
   const Vector index(static_cast<double>(node % row_stride()),
-                     static_cast<double>(row % extent_.nodes[1]),
-                     static_cast<double>(row / extent_.nodes[1]));
-  return extent_.origin + extent_.cell_size * index;
+                     static_cast<double>(row % extent.nodes[1]),
+                     static_cast<double>(row / extent.nodes[1]));
+  return extent.origin + extent.spacing.cwiseProduct(index);
 }
 
 template <int Dim>
 kernels::GridView<Dim> Grid<Dim>::view(int layer) {
   kernels::GridView<Dim> v{};
   for (int a = 0; a < Dim; ++a) {
-    v.origin[a] = extent_.origin[a];
+    v.origin[a] = extent_[layer].origin[a];
+    v.spacing[a] = extent_[layer].spacing[a];
     v.momentum[a] = momentum_[layer][a].data() + kHalo;
     v.force[a] = force_[layer][a].data() + kHalo;
     v.second_field[a] = second_field_[a].data() + kHalo;
   }
-  v.cell_size = extent_.cell_size;
   v.particle_half_size = particle_half_size_;
   v.groups_in_row = groups_in_row_;
-  v.rows_in_plane = extent_.nodes[1];
+  v.rows_in_plane = extent().nodes[1];
   v.mass = mass_.data() + kHalo;
   v.damping = damping_.data() + kHalo;
   return v;

@@ -9,26 +9,28 @@
 
 namespace rgimp {
 
-/// Node fields of the background grid; layout and units as in kernels::GridView.
+/// Node fields of the background grid; layout and units as in kernels::GridView. It has two layers,
+/// as one is gathered from while the next step's is scattered: each has momentum and force of its
+/// own, and its own place, for the grid moves; all other fields are shared.
 template <int Dim>
 class Grid {
  public:
   /// `damping` is beta of local damping, on every node.
   Grid(const GridExtent& extent, int particles_per_cell, double damping);
 
-  const GridExtent& extent() const { return extent_; }
+  const GridExtent& extent(int layer = 0) const { return extent_[layer]; }
+  /// The layer lies at `extent` from now on; its number of nodes is that of the start.
+  void move(int layer, const GridExtent& extent) { extent_[layer] = extent; }
   std::ptrdiff_t groups_in_row() const { return groups_in_row_; }
   std::ptrdiff_t row_stride() const { return groups_in_row_ * kernels::kGroupWidth; }
   std::ptrdiff_t rows() const;
   /// Half a particle over a cell, l_p / L; the same for all particles and steps (uGIMP).
   double particle_half_size() const { return particle_half_size_; }
 
-  Vector position(std::ptrdiff_t node) const;
+  Vector position(std::ptrdiff_t node, int layer = 0) const;
   /// Platen nodes are not damped, else reactions would be over-reported by 1 + beta.
   void clear_damping(std::ptrdiff_t node) { damping_[kHalo + node] = 0.0; }
 
-  /// Momentum and force come in two layers, as one is gathered from while the next step's is
-  /// scattered; all other fields are shared.
   kernels::GridView<Dim> view(int layer = 0);
   /// Sets mass, and momentum and force of a layer, of node rows to zero.
   void clear(kernels::RowRange rows, int layer = 0);
@@ -43,7 +45,7 @@ class Grid {
 
   void clear_rows(Field& field, kernels::RowRange rows);
 
-  GridExtent extent_;
+  std::array<GridExtent, 2> extent_;  // by layer
   double particle_half_size_;
   std::ptrdiff_t groups_in_row_;
   Field mass_;

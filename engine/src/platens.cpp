@@ -54,7 +54,7 @@ void Platens<Dim>::constrain_nodes(std::size_t platen, const Box& specimen, cons
   const Platen& p = settings_[platen];
   const PlatenContact contact(p, specimen);
   const PlatenAxis side = contact.side;
-  const double slack = 1e-6 * grid.extent().cell_size;
+  const double slack = 1e-6 * grid.extent().spacing[side.axis];
   for (std::ptrdiff_t node = 0; node < grid.rows() * grid.row_stride(); ++node) {
     const Vector x = grid.position(node);
     const bool beyond = (contact.end - x[side.axis]) * side.towards >= -slack;

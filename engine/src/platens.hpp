@@ -21,7 +21,8 @@ struct PlatenSums {
 };
 
 /// Rigid plates: prescribed normal velocity, both signs (bonded), of all node rows at or beyond
-/// the specimen's end, rows fixed in space. The other component slips freely or sticks (zero).
+/// the specimen's end at the start, which move with the platen (GridMotion). The other component
+/// slips freely or sticks (zero).
 template <int Dim>
 class Platens {
  public:

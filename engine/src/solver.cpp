@@ -46,6 +46,7 @@ Solver<Dim>::Solver(const Case& settings, kernels::Isa isa, Workers& workers)
       integrator_(settings.time.integrator),
       grid_(grid_extent(settings), settings.bodies.front().particles_per_cell,
             settings.local_damping),
+      grid_motion_(settings, grid_.extent()),
       bands_(grid_.extent().nodes[Dim - 1], grid_.rows() / grid_.extent().nodes[Dim - 1],
              settings.numerics.band_height),
       bands_per_task_(settings.tuning.bands_per_task),
@@ -68,7 +69,7 @@ Solver<Dim>::Solver(const Case& settings, kernels::Isa isa, Workers& workers)
     node_update_.body_acceleration[a] = settings.body_acceleration[a];
   }
   for (int layer = 0; layer < 2; ++layer) {
-    layers_[layer] = grid_.view(layer);
+    place_layer(layer, 0);
   }
   update_ = {.dt = dt_,
              .step = 0,
@@ -86,6 +87,7 @@ Solver<Dim>::Solver(const Case& settings, kernels::Isa isa, Workers& workers)
 
 template <int Dim>
 void Solver<Dim>::step() {
+  place_layer(1 - layer_, steps_done_ + 1);
   prepare();  // where the step before could not: m_p v_p s_p V_p -> m_i p_i f_i -> a_i v_i
   update_.step = static_cast<std::int32_t>(steps_done_ + 1);
   switch (integrator_) {
@@ -211,6 +213,12 @@ void Solver<Dim>::find_strain_velocity(const double* const* momentum, Range rows
 // ---- after the step -------------------------------------------------------------------------
 
 template <int Dim>
+void Solver<Dim>::place_layer(int layer, std::int64_t step) {
+  grid_.move(layer, grid_motion_.at(dt_ * static_cast<double>(step)));
+  layers_[layer] = grid_.view(layer);
+}
+
+template <int Dim>
 void Solver<Dim>::finish_step() {
   ++steps_done_;
   layer_ = 1 - layer_;
@@ -266,13 +274,14 @@ void Solver<Dim>::stop_if_unphysical() const {
 
 template <int Dim>
 double Solver<Dim>::critical_step_ratio() const {
-  return dt_ * (sound_speed_ + ledger_.max_speed()) / grid_.extent().cell_size;
+  const double least_spacing = grid_.extent(layer_).spacing.template head<Dim>().minCoeff();
+  return dt_ * (sound_speed_ + ledger_.max_speed()) / least_spacing;
 }
 
 template <int Dim>
 void Solver<Dim>::rebin() {
   try {
-    bin_particles(particles_, material_of_id_, grid_, workers_);
+    bin_particles(particles_, material_of_id_, grid_, workers_, layer_);
   } catch (const PhysicsError& error) {
     throw PhysicsError(fmt::format("step {}: {}", steps_done_, error.what()));
   }

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "bands.hpp"
-#include "energy.hpp"
 #include "grid.hpp"
+#include "grid_motion.hpp"
 #include "ledger.hpp"
 #include "particles.hpp"
 #include "platens.hpp"
@@ -71,6 +71,8 @@ class Solver {
   const View& next() const { return layers_[1 - layer_]; }
   double end_of_step(std::int64_t step) const { return dt_ * static_cast<double>(step) + dt_; }
 
+  /// Puts a layer where the grid is after `step` steps.
+  void place_layer(int layer, std::int64_t step);
   void finish_step();
   void note_first_failure();
   void stop_if_unphysical() const;
@@ -82,6 +84,7 @@ class Solver {
   std::vector<std::uint8_t> material_of_id_;
   Particles<Dim> particles_;
   Grid<Dim> grid_;
+  GridMotion grid_motion_;
   Bands bands_;
   std::ptrdiff_t bands_per_task_;
   Platens<Dim> platens_;

@@ -26,16 +26,16 @@ void accelerate(const ParticleView<Dim>& particles, std::size_t p,
   }
 }
 
-/// x += dt sum S v [Eq. 6], and how far that took it.
+/// x += dt sum S v [Eq. 6], and how far that took it on the grid it is scattered to.
 template <int Dim>
 void move(const ParticleView<Dim>& particles, std::size_t p, const BinNode<Dim>& bin,
-          const Gathered<Dim>& velocity, const Shape<Dim>& shape, double dt, Reach& reach) {
+          const Gathered<Dim>& velocity, const Shape<Dim>& to, double dt, Reach& reach) {
   double step2 = 0.0;
   for (int a = 0; a < Dim; ++a) {
     const double step = dt * velocity.value[a];
     particles.position[a][p] += step;
     step2 += step * step;
-    reach.distance = std::max(reach.distance, std::abs(node_distance(particles, p, bin, shape, a)));
+    reach.distance = std::max(reach.distance, std::abs(node_distance(particles, p, bin, to, a)));
   }
   reach.step = std::max(reach.step, std::sqrt(step2));
 }

@@ -46,11 +46,13 @@ template <int Dim>
 void accelerate_pass(const ParticleView<Dim>& particles, const GridView<Dim>& from,
                      const GridView<Dim>& to, const ParticleUpdate& update, RowRange bins) {
   const Shape<Dim> shape(from);
+  const Shape<Dim> shape_to(to);
   for_each_particle(
       particles, from, bins, [&](std::size_t p, const BinNode<Dim>& bin, std::size_t) {
         const Stencil<Dim> stencil = stencil_of(particles, p, bin, shape);
         accelerate(particles, p, gather_acceleration(stencil, shape, from), update.dt);
-        scatter_second_momentum_of(particles, p, stencil, shape, to);
+        scatter_second_momentum_of(particles, p, stencil_of(particles, p, bin, shape_to), shape_to,
+                                   to);
       });
 }
 
@@ -58,6 +60,7 @@ inline void strain_and_move_pass(const ParticleView<2>& particles, const GridVie
                                  const GridView<2>& to, const ParticleUpdate& update,
                                  RowRange bins) {
   const Shape<2> shape(from);
+  const Shape<2> shape_to(to);
   clear_rows(bins, update);
   for_each_row(particles, from, bins,
                [&](std::ptrdiff_t row, std::size_t p, const BinNode<2>& bin, std::size_t slot) {
@@ -66,8 +69,9 @@ inline void strain_and_move_pass(const ParticleView<2>& particles, const GridVie
                  update_particle(particles, p, nodes.gradient,
                                  update.materials[particles.slot_material[slot]], update.dt,
                                  update.step, update.sums[row]);
-                 move(particles, p, bin, nodes.velocity, shape, update.dt, update.reach[row]);
-                 scatter_all_of(particles, p, stencil_of(particles, p, bin, shape), shape, to);
+                 move(particles, p, bin, nodes.velocity, shape_to, update.dt, update.reach[row]);
+                 scatter_all_of(particles, p, stencil_of(particles, p, bin, shape_to), shape_to,
+                                to);
                });
 }
 
@@ -75,6 +79,7 @@ inline void accelerate_strain_and_move_pass(const ParticleView<2>& particles,
                                             const GridView<2>& from, const GridView<2>& to,
                                             const ParticleUpdate& update, RowRange bins) {
   const Shape<2> shape(from);
+  const Shape<2> shape_to(to);
   clear_rows(bins, update);
   for_each_row(particles, from, bins,
                [&](std::ptrdiff_t row, std::size_t p, const BinNode<2>& bin, std::size_t slot) {
@@ -84,14 +89,16 @@ inline void accelerate_strain_and_move_pass(const ParticleView<2>& particles,
                  update_particle(particles, p, nodes.gradient,
                                  update.materials[particles.slot_material[slot]], update.dt,
                                  update.step, update.sums[row]);
-                 move(particles, p, bin, nodes.velocity, shape, update.dt, update.reach[row]);
-                 scatter_all_of(particles, p, stencil_of(particles, p, bin, shape), shape, to);
+                 move(particles, p, bin, nodes.velocity, shape_to, update.dt, update.reach[row]);
+                 scatter_all_of(particles, p, stencil_of(particles, p, bin, shape_to), shape_to,
+                                to);
                });
 }
 
 inline void strain_pass(const ParticleView<2>& particles, const GridView<2>& from,
                         const GridView<2>& to, const ParticleUpdate& update, RowRange bins) {
   const Shape<2> shape(from);
+  const Shape<2> shape_to(to);
   for (std::ptrdiff_t row = bins.first; row < bins.last; ++row) {
     update.sums[row] = ParticleSums{};
   }
@@ -101,7 +108,8 @@ inline void strain_pass(const ParticleView<2>& particles, const GridView<2>& fro
                  update_particle(particles, p, gather_strain(stencil, shape, from),
                                  update.materials[particles.slot_material[slot]], update.dt,
                                  update.step, update.sums[row]);
-                 scatter_force_of(particles, p, stencil, shape, to);
+                 scatter_force_of(particles, p, stencil_of(particles, p, bin, shape_to), shape_to,
+                                  to);
                });
 }
 
@@ -110,6 +118,7 @@ void accelerate_and_move_pass(const ParticleView<Dim>& particles, const GridView
                               const GridView<Dim>& to, const ParticleUpdate& update,
                               RowRange bins) {
   const Shape<Dim> shape(from);
+  const Shape<Dim> shape_to(to);
   for (std::ptrdiff_t row = bins.first; row < bins.last; ++row) {
     update.reach[row] = Reach{};
   }
@@ -118,9 +127,9 @@ void accelerate_and_move_pass(const ParticleView<Dim>& particles, const GridView
                  const Stencil<Dim> before = stencil_of(particles, p, bin, shape);
                  const FromNodes<Dim> nodes = gather_motion(before, shape, from);
                  accelerate(particles, p, nodes.acceleration, update.dt);
-                 move(particles, p, bin, nodes.velocity, shape, update.dt, update.reach[row]);
-                 scatter_mass_momentum_of(particles, p, stencil_of(particles, p, bin, shape), shape,
-                                          to);
+                 move(particles, p, bin, nodes.velocity, shape_to, update.dt, update.reach[row]);
+                 scatter_mass_momentum_of(particles, p, stencil_of(particles, p, bin, shape_to),
+                                          shape_to, to);
                });
 }
 

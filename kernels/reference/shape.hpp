@@ -11,19 +11,19 @@ namespace rgimp::kernels::reference {
 template <int Dim>
 struct Shape {
   explicit Shape(const GridView<Dim>& grid)
-      : cells_per_metre(1.0 / grid.cell_size),
-        half(grid.particle_half_size),
+      : half(grid.particle_half_size),
         per_quad_half(0.25 / grid.particle_half_size),
-        slope(0.5 / (grid.particle_half_size * grid.cell_size)),
         stride{1, row_stride(grid), row_stride(grid) * grid.rows_in_plane} {
     for (int a = 0; a < Dim; ++a) {
-      origin_cells[a] = grid.origin[a] * cells_per_metre;
+      cells_per_metre[a] = 1.0 / grid.spacing[a];
+      slope[a] = 0.5 / (grid.particle_half_size * grid.spacing[a]);
+      origin_cells[a] = grid.origin[a] * cells_per_metre[a];
     }
   }
-  double cells_per_metre;
+  double cells_per_metre[Dim];
   double half;           ///< cells
   double per_quad_half;  ///< 1 / 4l
-  double slope;          ///< 1/m, 1 / 2lL
+  double slope[Dim];     ///< 1/m, 1 / 2lL
   std::ptrdiff_t stride[3];
   double origin_cells[Dim];
 };
@@ -37,7 +37,7 @@ struct AxisWeights {
 /// Eq. 18 without branches, about the nearest node. `offset` is (x - x_nearest) / L, exact while
 /// |offset| <= 1 - half. Eq. 18 as printed is wrong: its fourth range swallows the linear flank.
 template <int Dim>
-AxisWeights axis_weights(double offset, const Shape<Dim>& shape) {
+AxisWeights axis_weights(double offset, const Shape<Dim>& shape, int axis) {
   const double core = std::min(std::max(offset, -shape.half), shape.half);
   const double flank = offset - core;
   const double up = core + shape.half;
@@ -46,8 +46,8 @@ AxisWeights axis_weights(double offset, const Shape<Dim>& shape) {
   w.value[2] = up * up * shape.per_quad_half + std::max(flank, 0.0);
   w.value[0] = down * down * shape.per_quad_half - std::min(flank, 0.0);
   w.value[1] = 1.0 - w.value[2] - w.value[0];
-  w.slope[2] = up * shape.slope;
-  w.slope[0] = -down * shape.slope;
+  w.slope[2] = up * shape.slope[axis];
+  w.slope[0] = -down * shape.slope[axis];
   w.slope[1] = -(w.slope[2] + w.slope[0]);
   return w;
 }
@@ -63,8 +63,8 @@ struct Stencil {
 template <int Dim>
 double node_distance(const ParticleView<Dim>& particles, std::size_t particle,
                      const BinNode<Dim>& bin, const Shape<Dim>& shape, int axis) {
-  return particles.position[axis][particle] * shape.cells_per_metre - shape.origin_cells[axis] -
-         bin.index[axis];
+  return particles.position[axis][particle] * shape.cells_per_metre[axis] -
+         shape.origin_cells[axis] - bin.index[axis];
 }
 
 template <int Dim>
@@ -73,7 +73,7 @@ Stencil<Dim> stencil_of(const ParticleView<Dim>& particles, std::size_t particle
   Stencil<Dim> stencil;
   stencil.lowest = bin.node;
   for (int a = 0; a < Dim; ++a) {
-    stencil.axis[a] = axis_weights(node_distance(particles, particle, bin, shape, a), shape);
+    stencil.axis[a] = axis_weights(node_distance(particles, particle, bin, shape, a), shape, a);
     stencil.lowest -= shape.stride[a];
   }
   return stencil;

@@ -22,7 +22,7 @@ struct Terms {
   AxisWeights axis[Dim];
   Batch mass;
   Batch momentum[Dim];                   // m v
-  Batch loaded[kStressComponents<Dim>];  // -(V sigma - V q I) / L [Eq. 10]; no zz in the plane
+  Batch loaded[kStressComponents<Dim>];  // -(V sigma - V q I) / L along x [Eq. 10]; no zz in 2D
 };
 
 template <Content... Whats>
@@ -47,9 +47,17 @@ inline void find_terms(const ParticleView<Dim>& p, std::size_t index,
     }
   }
   if constexpr (kScattersForce<Whats...>) {
-    const Batch volume = Batch::load_aligned(p.volume + index) * Batch(-shape.cells_per_metre);
+    // Slopes per cell along x on every axis, so that `loaded` serves all of them.
+#pragma GCC unroll 2
+    for (int a = 1; a < Dim; ++a) {
+#pragma GCC unroll 3
+      for (Batch& slope : terms.axis[a].slope) {
+        slope = slope * Batch(shape.aspect[a]);
+      }
+    }
+    const Batch volume = Batch::load_aligned(p.volume + index) * Batch(-shape.cells_per_metre[0]);
     const Batch viscous =
-        Batch::load_aligned(p.viscous_energy + index) * Batch(shape.cells_per_metre);
+        Batch::load_aligned(p.viscous_energy + index) * Batch(shape.cells_per_metre[0]);
 #pragma GCC unroll 6
     for (int c = 0; c < kStressComponents<Dim>; ++c) {
       if (Dim == 2 && c == 2) {

@@ -17,24 +17,29 @@ struct Changes {
   bool position;
 };
 
-/// x += dt v, and how far that took the row's particles.
+/// x += dt v, and how far from their bins' nodes that took the row's particles, on the grid they
+/// are scattered to.
 template <int Dim>
 class Move {
  public:
-  explicit Move(const ShapeConstants<Dim>& shape) : cells_per_metre_(shape.cells_per_metre) {}
+  explicit Move(const ShapeConstants<Dim>& to) : to_(to) {}
 
+  /// `dt` is 0 in padding, which the grid may leave behind.
   void batch(const ParticleView<Dim>& particles, std::size_t index, Batch dt,
-             const Batch (&velocity)[Dim], const Places<Dim>& places) {
+             const Batch (&velocity)[Dim], const BinOffsets<Dim>& offsets) {
     Batch step2(0.0);
+    Batch farthest(0.0);
 #pragma GCC unroll 3
     for (int a = 0; a < Dim; ++a) {
       const Batch step = dt * velocity[a];
       double* const position = particles.position[a] + index;
-      (Batch::load_aligned(position) + step).store_aligned(position);
+      const Batch moved = Batch::load_aligned(position) + step;
+      moved.store_aligned(position);
       step2 = fused(step, step, step2);
-      const Batch distance = fused(step, Batch(cells_per_metre_), places.axis[a].d);
-      distance_ = xsimd::max(distance_, xsimd::abs(distance));
+      farthest = xsimd::max(farthest, xsimd::abs(node_distance(moved, offsets, to_, a)));
     }
+    const Batch present = xsimd::select(dt > Batch(0.0), farthest, Batch(0.0));
+    distance_ = xsimd::max(distance_, present);
     step2_ = xsimd::max(step2_, step2);
   }
 
@@ -43,7 +48,7 @@ class Move {
   }
 
  private:
-  double cells_per_metre_;
+  ShapeConstants<Dim> to_;
   Batch step2_ = Batch(0.0);  // m2
   Batch distance_ = Batch(0.0);
 };
@@ -65,14 +70,16 @@ requires(!What.strain) struct StressPart<What> {
 template <int Dim, Changes What>
 class Gather {
  public:
-  Gather(const ParticleView<Dim>& particles, const GridView<Dim>& grid,
-         const ShapeConstants<Dim>& shape, const ParticleUpdate& update, FailureLog& log)
+  Gather(const ParticleView<Dim>& particles, const GridView<Dim>& from,
+         const ShapeConstants<Dim>& shape, const ShapeConstants<Dim>& shape_to,
+         const ParticleUpdate& update, FailureLog& log)
       : view_(particles),
-        grid_(grid),
+        grid_(from),
         shape_(shape),
+        shape_to_(shape_to),
         dt_(update.dt),
         stress_(particles, update, log),
-        move_(shape) {}
+        move_(shape_to) {}
 
   /// The fields of a batch of bins. A value, not a member: that the compiler would copy once more.
   struct Nodes {
@@ -98,10 +105,11 @@ class Gather {
   /// In two loops over the slots: one was as fast within the noise, but harder to follow.
   void round(const Nodes& nodes, const GroupPlace<Dim>& place, Slots slots, int part) {
     const BinOffsets<Dim> offsets = place.offsets(shape_, part);
+    const BinOffsets<Dim> offsets_to = place.offsets(shape_to_, part);
     PlaneIncrement increment[kRound];
     for (std::size_t slot = slots.first; slot < slots.last; ++slot) {
       const std::size_t index = slot * kGroupWidth + part * kLanes;
-      batch(nodes, index, offsets, increment[slot - slots.first]);
+      batch(nodes, index, offsets, offsets_to, increment[slot - slots.first]);
     }
     if constexpr (What.strain) {
       for (std::size_t slot = slots.first; slot < slots.last; ++slot) {
@@ -118,14 +126,14 @@ class Gather {
   static constexpr bool kStrainsWithNewVelocity = What.velocity && What.strain;
 
   void batch(const Nodes& nodes, std::size_t index, const BinOffsets<Dim>& offsets,
-             PlaneIncrement& increment) {
+             const BinOffsets<Dim>& offsets_to, PlaneIncrement& increment) {
     const Places<Dim> places(view_, index, offsets, shape_);
     const Basis<Dim> basis(places, shape_);
     const Batch dt = where_present(view_, index, dt_);
     if constexpr (What.strain) {
       const VectorCoefficients<Dim>& velocity =
           kStrainsWithNewVelocity ? nodes.velocity : nodes.strain_velocity;
-      increment = increment_at(velocity, basis, dt * Batch(0.5 * shape_.cells_per_metre));
+      increment = increment_at(velocity, basis, shape_, dt);
     }
     if constexpr (What.velocity) {
       accelerate(nodes.acceleration, index, dt, basis);
@@ -136,7 +144,7 @@ class Gather {
       for (int a = 0; a < Dim; ++a) {
         velocity[a] = value_at(nodes.velocity.component[a], basis);
       }
-      move_.batch(view_, index, dt, velocity, places);
+      move_.batch(view_, index, dt, velocity, offsets_to);
     }
   }
 
@@ -154,6 +162,7 @@ class Gather {
   ParticleView<Dim> view_;
   GridView<Dim> grid_;
   ShapeConstants<Dim> shape_;
+  ShapeConstants<Dim> shape_to_;
   double dt_;
   typename StressPart<What>::Type stress_;
   Move<Dim> move_;
@@ -244,11 +253,12 @@ template <int Dim, Changes What, Content... Whats>
 void pass(const ParticleView<Dim>& particles, const GridView<Dim>& from, const GridView<Dim>& to,
           const ParticleUpdate& update, RowRange bins) {
   const ShapeConstants<Dim> shape(from);
+  const ShapeConstants<Dim> shape_to(to);
   const Fields<Dim, Whats...> fields(to);
-  Scatter<Dim, Whats...> scatter(particles, shape, fields.field);
+  Scatter<Dim, Whats...> scatter(particles, shape_to, fields.field);
   for (std::ptrdiff_t row = bins.first; row < bins.last; ++row) {
     FailureLog log(update.step);
-    Gather<Dim, What> gather(particles, from, shape, update, log);
+    Gather<Dim, What> gather(particles, from, shape, shape_to, update, log);
     pass_row(particles, from, row, gather, scatter);
     if constexpr (What.strain) {
       update.sums[row] = {gather.viscous_work(), log.released(), log.tension(), log.shear()};

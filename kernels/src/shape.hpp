@@ -18,16 +18,17 @@ constexpr int kNeighbourRows = Dim == 2 ? 3 : 9;
 template <int Dim>
 struct ShapeConstants {
   explicit ShapeConstants(const GridView<Dim>& grid)
-      : cells_per_metre(1.0 / grid.cell_size),
-        half(grid.particle_half_size),
-        per_half(1.0 / grid.particle_half_size) {
+      : half(grid.particle_half_size), per_half(1.0 / grid.particle_half_size) {
     for (int a = 0; a < Dim; ++a) {
-      origin_cells[a] = grid.origin[a] / grid.cell_size;
+      cells_per_metre[a] = 1.0 / grid.spacing[a];
+      aspect[a] = cells_per_metre[a] / cells_per_metre[0];
+      origin_cells[a] = grid.origin[a] / grid.spacing[a];
     }
   }
-  double cells_per_metre;  ///< 1/m
-  double half;             ///< cells, l
-  double per_half;         ///< 1 / l
+  double cells_per_metre[Dim];  ///< 1/m
+  double aspect[Dim];           ///< cells along x over those along the axis, in length
+  double half;                  ///< cells, l
+  double per_half;              ///< 1 / l
   double origin_cells[Dim];
 };
 
@@ -93,7 +94,7 @@ inline void for_each_round(Slots slots, Visit visit) {
 template <int Dim>
 inline Batch node_distance(Batch position, const BinOffsets<Dim>& offsets,
                            const ShapeConstants<Dim>& shape, int axis) {
-  return fused(position, Batch(shape.cells_per_metre), offsets.minus_node[axis]);
+  return fused(position, Batch(shape.cells_per_metre[axis]), offsets.minus_node[axis]);
 }
 
 /// A distance d from the node, in cells, cut where Eq. 18 changes its form: |core| <= l, and what

@@ -17,15 +17,18 @@ struct PlaneIncrement {
   Batch turn;
 };
 
-/// `dt_per_two_cells` is 0 in padding.
+/// `dt` is 0 in padding. Slopes along y are first turned into slopes per two cells along x.
 inline PlaneIncrement increment_at(const VectorCoefficients<2>& velocity, const Basis<2>& basis,
-                                   Batch dt_per_two_cells) {
+                                   const ShapeConstants<2>& shape, Batch dt) {
+  const Batch dt_per_two_cells = dt * Batch(0.5 * shape.cells_per_metre[0]);
+  const Batch aspect(shape.aspect[1]);
   Batch x[2];
   Batch y[2];
   gradient_at(velocity.component[0], basis, x);
   gradient_at(velocity.component[1], basis, y);
-  return {dt_per_two_cells * x[0], dt_per_two_cells * y[1], dt_per_two_cells * (x[1] + y[0]),
-          dt_per_two_cells * (x[1] - y[0])};
+  return {dt_per_two_cells * x[0], dt_per_two_cells * (aspect * y[1]),
+          dt_per_two_cells * fused(aspect, x[1], y[0]),
+          dt_per_two_cells * fused(aspect, x[1], -y[0])};
 }
 
 /// A material's constants as a step needs them.

@@ -10,7 +10,15 @@ constexpr std::int64_t kNodesX = 37;
 constexpr std::int64_t kNodesY = 14;
 
 GridExtent extent() {
-  return {Vector(-3e-3, 2e-3, 0.0), kCell, {kNodesX, kNodesY, 1}};
+  return {Vector(-3e-3, 2e-3, 0.0), Vector(kCell, 0.93 * kCell, kCell), {kNodesX, kNodesY, 1}};
+}
+
+/// Where a step of platens on both axes would take the grid, were it that long.
+GridExtent moved_extent() {
+  GridExtent moved = extent();
+  moved.origin += Vector(0.02 * kCell, -0.03 * kCell, 0.0);
+  moved.spacing = moved.spacing.cwiseProduct(Vector(0.998, 1.001, 1.0));
+  return moved;
 }
 
 std::vector<kernels::MaterialConstants> two_materials() {
@@ -33,6 +41,7 @@ std::vector<kernels::MaterialConstants> two_materials() {
 
 RandomState::RandomState(unsigned seed, int particles_per_cell, const Filling& filling)
     : grid(extent(), particles_per_cell, 0.7), materials(two_materials()), random_(seed) {
+  grid.move(1, moved_extent());
   place_slots(filling);
   for (std::size_t group = 0; group + 1 < particles.group_begin.size(); ++group) {
     const std::size_t first = particles.group_begin[group] * kernels::kGroupWidth;
@@ -78,8 +87,8 @@ void RandomState::place_slots(const Filling& filling) {
 }
 
 void RandomState::fill_lane(std::size_t index, const Filling& filling) {
-  const double reach = (1.0 - grid.particle_half_size()) * kCell;
   for (int a = 0; a < 2; ++a) {
+    const double reach = (1.0 - grid.particle_half_size()) * grid.extent().spacing[a];
     particles.position[a][index] += uniform(-reach, reach);
     particles.velocity[a][index] = uniform(-1.0, 1.0);
   }

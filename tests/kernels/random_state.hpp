@@ -17,7 +17,8 @@ struct Filling {
 };
 
 /// A grid and particles anywhere in the range a particle may drift before its bin is wrong,
-/// |x - x_node| <= (1 - l) L, two materials, some failed, padding in between.
+/// |x - x_node| <= (1 - l) L of the first layer, two materials, some failed, padding in between.
+/// The layers differ in origin and spacing, axis by axis.
 struct RandomState {
   RandomState(unsigned seed, int particles_per_cell, const Filling& filling);
 

@@ -21,7 +21,8 @@ class OneParticle {
  public:
   explicit OneParticle(const Material& material, Vector offset_cells = Vector(0.25, -0.25, 0.0),
                        int particles_per_cell = 2)
-      : workers_(1), grid_({Vector::Zero(), kCell, {17, 17, 1}}, particles_per_cell, 0.0) {
+      : workers_(1),
+        grid_({Vector::Zero(), Vector::Constant(kCell), {17, 17, 1}}, particles_per_cell, 0.0) {
     Case settings;
     settings.grid.cell_size = kCell;
     constants_ = material_constants(material, settings);

@@ -13,7 +13,7 @@ namespace {
 constexpr double kCell = 0.5e-3;
 
 GridExtent extent() {
-  return {Vector(-1e-3, 2e-3, 0.0), kCell, {40, 30, 1}};
+  return {Vector(-1e-3, 2e-3, 0.0), Vector::Constant(kCell), {40, 30, 1}};
 }
 
 std::vector<ParticleSeed> random_seeds(std::size_t count) {

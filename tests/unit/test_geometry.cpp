@@ -179,7 +179,7 @@ TEST_CASE("the grid reaches eight cells before the bodies along x, else five, un
   rgimp::Case settings = block();
   const rgimp::GridExtent automatic = rgimp::grid_extent(settings);
   CHECK(automatic.nodes == std::array<std::int64_t, 3>{34, 21, 1});
-  CHECK(automatic.cell_size == 1e-3);
+  CHECK(automatic.spacing == rgimp::Vector::Constant(1e-3));
   CHECK(automatic.origin.x() == Approx(0.082));
   CHECK(automatic.origin.y() == Approx(-0.21));
 

@@ -9,8 +9,9 @@ enum class Isa { reference, baseline, avx2, avx512 };
 
 /// The kernels of one ISA. A pass reads and writes each particle of its bins once: it gathers from
 /// `from`, updates the particle and scatters what it has become to `to`, whose fields of that kind
-/// must be others than those gathered. Scatters add to node rows one below to one above their bin
-/// rows. Weights are those of the positions at the time: gathers before, scatters after the move.
+/// must be others than those gathered; the two grids may differ in origin and spacing. Scatters add
+/// to node rows one below to one above their bin rows. Weights are those of the positions at the
+/// time: gathers before, scatters after the move.
 template <int Dim>
 struct KernelTable {
   using Particles = ParticleView<Dim>;

@@ -47,7 +47,7 @@ struct ParticleView {
 template <int Dim>
 struct GridView {
   double origin[Dim];         ///< m, node 0
-  double cell_size;           ///< m
+  double spacing[Dim];        ///< m, edges of a cell, L of the paper
   double particle_half_size;  ///< cells, l of the paper over L
   std::ptrdiff_t groups_in_row;
   std::ptrdiff_t rows_in_plane;  ///< nodes along y
@@ -96,7 +96,7 @@ struct NodeSums {
 
 /// The farthest and the fastest particle of a row of bins.
 struct Reach {
-  double distance;  ///< cells, from its bin's node along any axis
+  double distance;  ///< cells of the grid scattered to, from its bin's node along any axis
   double step;      ///< m, moved in this step
 };
 
