@@ -104,7 +104,7 @@ inline PlaneIncrement increment_of(const bench::PartInput& input, std::size_t in
     const std::size_t index = slot * kGroupWidth + part * kLanes;
     const PlaneIncrement increment = increment_of(input, index);
     const PlaneStress stress = elastic_stress(stress_of(input.particles, index), increment,
-                                              increment.xx + increment.yy, material);
+                                              increment.xx + increment.yy, material.elasticity);
     double* to = place_in<bench::kStressColumns>(out, slot_mask, slot, part);
     stress.xx.store_aligned(to);
     stress.yy.store_aligned(to + kGroupWidth);

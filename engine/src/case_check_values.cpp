@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -5,6 +6,7 @@
 #include "case_check.hpp"
 #include "case_error.hpp"
 #include "case_names.hpp"
+#include "failure_limits.hpp"
 #include "shapes.hpp"
 #include "time_step.hpp"
 
@@ -51,6 +53,34 @@ void check_failure(const ValueChecker& check, const std::string& path, const Fai
                    fmt::format("is {}; expected 0 or less", failure.pressure_min));
     }
   }
+}
+
+void check_cell(const ValueChecker& check, const std::string& key, double cell, double largest,
+                std::string_view formula) {
+  if (cell >= largest) {
+    check.refuse(key, fmt::format("needs cells smaller than {} = {:.6g} m; grid.cell_size is {}",
+                                  formula, largest, cell));
+  }
+}
+
+/// A band of larger cells holds more elastic energy than it is to take.
+void check_fracture_energies(const ValueChecker& check, const std::string& path,
+                             const Material& material, double cell) {
+  const Failure& failure = *material.failure;
+  const auto read = keys_of(fracture_energies_of(failure.criterion));
+  for (const FailureKey& energy : fracture_energies_of(Criterion::mohr_coulomb)) {
+    const std::string key = fmt::format("{}.{}", path, energy.key);
+    check.not_negative(key, failure.*energy.member);
+    if (failure.*energy.member > 0.0 &&
+        std::find(read.begin(), read.end(), energy.key) == read.end()) {
+      check.refuse(key, fmt::format("not read by criterion \"{}\"", name_of(failure.criterion)));
+    }
+  }
+  const LargestCell largest = largest_cell(material);
+  check_cell(check, path + ".fracture_energy", cell, largest.tension,
+             "sqrt(2) (lambda + 2 mu) fracture_energy / tensile_strength^2");
+  check_cell(check, path + ".shear_fracture_energy", cell, largest.shear,
+             "2 mu shear_fracture_energy / shear strength^2");
 }
 
 void check_number_of_steps(const Case& settings) {
@@ -116,6 +146,7 @@ void check_materials(const Case& settings) {
     }
     if (material.failure) {
       check_failure(check, path + ".failure", *material.failure);
+      check_fracture_energies(check, path + ".failure", material, settings.grid.cell_size);
     }
   }
 }

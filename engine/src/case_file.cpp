@@ -91,9 +91,11 @@ void read_numbers(const TomlReader& reader, std::span<const FailureKey> entries,
 Failure read_failure(const TomlReader& reader) {
   Failure failure;
   const Keys strengths = keys_of(all_strengths());
+  const Keys energies = keys_of(fracture_energies_of(Criterion::mohr_coulomb));
   const Keys limits = keys_of(limits_of(Treatment::pressure_window));
   Keys known{"criterion", "treatment"};
   known.insert(known.end(), strengths.begin(), strengths.end());
+  known.insert(known.end(), energies.begin(), energies.end());
   known.insert(known.end(), limits.begin(), limits.end());
   reader.allow_only(known);
 
@@ -102,6 +104,11 @@ Failure read_failure(const TomlReader& reader) {
   const std::span<const FailureKey> used = strengths_of(failure.criterion);
   allow_for_choice(reader, strengths, keys_of(used), criterion);
   read_numbers(reader, used, criterion, failure);
+  const std::span<const FailureKey> softening = fracture_energies_of(failure.criterion);
+  allow_for_choice(reader, energies, keys_of(softening), criterion);
+  for (const FailureKey& entry : softening) {
+    reader.accept(entry.key, failure.*entry.member);
+  }
 
   reader.accept("treatment", failure.treatment);
   const std::string treatment = fmt::format("treatment \"{}\"", name_of(failure.treatment));

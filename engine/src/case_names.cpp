@@ -44,6 +44,10 @@ constexpr std::array kPrincipalStrain{kTensileStrain};
 constexpr std::array kShearStrain{kShearStrainLimit};
 constexpr std::array kAllStrengths{kCohesion,      kFrictionAngle, kTensileStrength,
                                    kShearStrength, kTensileStrain, kShearStrainLimit};
+constexpr std::array kFractureEnergies{
+    FailureKey{"fracture_energy", &Failure::fracture_energy, "J/m2, tension; 0: fails at once"},
+    FailureKey{"shear_fracture_energy", &Failure::shear_fracture_energy,
+               "J/m2, shear; 0: fails at once"}};
 constexpr std::array kPressureWindow{
     FailureKey{"pressure_min", &Failure::pressure_min, "Pa, <= 0: tension"},
     FailureKey{"pressure_max", &Failure::pressure_max, "Pa"}};
@@ -98,6 +102,23 @@ std::span<const FailureKey> strengths_of(Criterion criterion) {
 
 std::span<const FailureKey> all_strengths() {
   return kAllStrengths;
+}
+
+std::span<const FailureKey> fracture_energies_of(Criterion criterion) {
+  const std::span<const FailureKey> all(kFractureEnergies);
+  switch (criterion) {
+    case Criterion::mohr_coulomb:
+      return all;
+    case Criterion::principal_stress:
+      return all.first(1);
+    case Criterion::shear_stress:
+      return all.last(1);
+    case Criterion::hydrostatic_tension:
+    case Criterion::principal_strain:
+    case Criterion::shear_strain:
+      return {};
+  }
+  return {};
 }
 
 std::span<const FailureKey> limits_of(Treatment treatment) {

@@ -53,6 +53,8 @@ struct FailureKey {
 std::span<const FailureKey> strengths_of(Criterion criterion);
 /// Every strength that some criterion reads, each key once.
 std::span<const FailureKey> all_strengths();
+/// The fracture energies that go with a criterion; each may be left out.
+std::span<const FailureKey> fracture_energies_of(Criterion criterion);
 /// The limits of the pressure window; none for the other treatments.
 std::span<const FailureKey> limits_of(Treatment treatment);
 std::vector<std::string_view> keys_of(std::span<const FailureKey> entries);

@@ -145,6 +145,9 @@ void write_failure(CaseWriter& writer, const std::string& header, const Failure&
   for (const FailureKey& entry : strengths_of(failure.criterion)) {
     writer.line(entry.key, failure.*entry.member, entry.unit);
   }
+  for (const FailureKey& entry : fracture_energies_of(failure.criterion)) {
+    writer.line(entry.key, failure.*entry.member, entry.unit);
+  }
   writer.line("treatment", failure.treatment, choices<Treatment>());
   for (const FailureKey& entry : limits_of(failure.treatment)) {
     writer.line(entry.key, failure.*entry.member, entry.unit);

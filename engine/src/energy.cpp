@@ -13,6 +13,22 @@ struct LaneSums {
   double strain[kGroupWidth] = {};
 };
 
+/// What a softening point holds beyond sigma : C^-1 : sigma / 2 of its nominal stress, J/m3. It
+/// gives back sigma : C^-1 : s / 2, s = sigma / (1 - D) but for pressure, which is not reduced.
+template <int Dim>
+double beyond_nominal(const kernels::ParticleView<Dim>& p, std::size_t i, double nominal,
+                      double trace, const kernels::MaterialConstants& material) {
+  const bool softening =
+      p.failure_mode[i] > kernels::kIntact && p.failure_mode[i] < kernels::kFailedInTension;
+  if (!softening) {
+    return 0.0;
+  }
+  const double closing = std::min(trace, 0.0);
+  const double pressure_part =
+      (material.energy_of_square / 3.0 - material.energy_of_trace) * closing * closing;
+  return (nominal - pressure_part) * p.damage[i] / (1.0 - p.damage[i]);
+}
+
 template <int Dim>
 void add_slot(const kernels::ParticleView<Dim>& p, std::size_t slot,
               const kernels::MaterialConstants& material, LaneSums& sums) {
@@ -30,8 +46,12 @@ void add_slot(const kernels::ParticleView<Dim>& p, std::size_t slot,
       trace += c < 3 ? s : 0.0;
     }
     sums.kinetic[lane] += 0.5 * p.mass[i] * speed2;
-    sums.strain[lane] += p.volume[i] * (material.energy_of_square * square -
-                                        material.energy_of_trace * trace * trace);
+    const double nominal =
+        material.energy_of_square * square - material.energy_of_trace * trace * trace;
+    sums.strain[lane] += p.volume[i] * nominal;
+    if (material.softens) {
+      sums.strain[lane] += p.volume[i] * beyond_nominal(p, i, nominal, trace, material);
+    }
   }
 }
 

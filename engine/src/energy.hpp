@@ -13,13 +13,13 @@ struct EnergyBudget {
   double external_work = 0.0;    ///< by platens and body force
   double damping_work = 0.0;     ///< taken by local damping
   double viscous_work = 0.0;     ///< taken by bulk viscosity
-  double released_energy = 0.0;  ///< strain energy dropped by failure
+  double released_energy = 0.0;  ///< strain energy dropped by failure and damage
 };
 
 /// Energies the particles hold now, J.
 struct StoredEnergy {
   double kinetic = 0.0;
-  double strain = 0.0;  ///< sum of V sigma : C^-1 : sigma / 2
+  double strain = 0.0;  ///< sum of V sigma : C^-1 : s / 2, s the effective stress
 };
 
 /// Summed row by row in a fixed order, so that it does not depend on threads.

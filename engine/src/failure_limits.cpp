@@ -47,7 +47,38 @@ void set_failed_pressure(const Failure& failure, kernels::MaterialConstants& con
   }
 }
 
+double shear_modulus(const Material& material) {
+  return 0.5 * material.youngs_modulus / (1.0 + material.poisson_ratio);
+}
+
+/// The width of a band whose elastic energy at the strength is all of its fracture energy, m.
+double largest_band(double strength, double modulus, double fracture_energy) {
+  return fracture_energy > 0.0 ? 2.0 * modulus * fracture_energy / (strength * strength) : kNever;
+}
+
+kernels::Softening softening_of(const Material& material, double cell) {
+  const LargestCell largest = largest_cell(material);
+  return {.tension =
+              std::isfinite(largest.tension) ? cell / (std::numbers::sqrt2 * largest.tension) : 1.0,
+          .shear = std::isfinite(largest.shear) ? cell / largest.shear : 1.0};
+}
+
 }  // namespace
+
+LargestCell largest_cell(const Material& material) {
+  if (!material.failure) {
+    return {kNever, kNever};
+  }
+  const Failure& failure = *material.failure;
+  const double oedometric_modulus = material.density * std::pow(sound_speed(material), 2);
+  const double shear_strength =
+      failure.criterion == Criterion::mohr_coulomb ? failure.cohesion : failure.shear_strength;
+  return {.tension =
+              largest_band(failure.tensile_strength, oedometric_modulus, failure.fracture_energy) /
+              std::numbers::sqrt2,
+          .shear =
+              largest_band(shear_strength, shear_modulus(material), failure.shear_fracture_energy)};
+}
 
 kernels::FailureLimits failure_limits(const Material& material) {
   kernels::FailureLimits limits = never_fails();
@@ -86,12 +117,14 @@ kernels::MaterialConstants material_constants(const Material& material, const Ca
   const double cell = settings.grid.cell_size;
   kernels::MaterialConstants constants{};
   constants.lambda = modulus * ratio / ((1.0 + ratio) * (1.0 - 2.0 * ratio));
-  constants.shear_modulus = 0.5 * modulus / (1.0 + ratio);
+  constants.shear_modulus = shear_modulus(material);
   constants.quadratic_viscosity = settings.quadratic_viscosity * cell * cell;
   constants.linear_viscosity = settings.linear_viscosity * cell * sound_speed(material);
   constants.energy_of_square = 0.5 * (1.0 + ratio) / modulus;
   constants.energy_of_trace = 0.5 * ratio / modulus;
   constants.limits = failure_limits(material);
+  constants.softening = softening_of(material, cell);
+  constants.softens = constants.softening.tension < 1.0 || constants.softening.shear < 1.0;
   if (material.failure) {
     set_failed_pressure(*material.failure, constants);
   }

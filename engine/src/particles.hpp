@@ -22,6 +22,7 @@ struct Particles {
   Column<double> mass;
   Column<double> viscous_energy;
   Column<double> failure_mode;
+  Column<double> damage;  ///< empty where no material softens
   Column<std::int32_t> failure_step;
   Column<std::uint32_t> id;  ///< kNoId in padding
 
@@ -49,6 +50,9 @@ struct Particles {
     visit(mass, 0.0);
     visit(viscous_energy, 0.0);
     visit(failure_mode, kernels::kPadding);
+    if (!damage.empty()) {
+      visit(damage, 0.0);
+    }
     visit(failure_step, std::int32_t{-1});
     visit(id, kNoId);
   }
@@ -66,6 +70,7 @@ struct Particles {
     v.mass = mass.data();
     v.viscous_energy = viscous_energy.data();
     v.failure_mode = failure_mode.data();
+    v.damage = damage.data();
     v.failure_step = failure_step.data();
     v.group_begin = group_begin.data();
     v.slot_material = slot_material.data();

@@ -45,6 +45,13 @@ double max_principal(const std::array<double, 6>& s) {
   return std::max(centre + radius, s[2]);
 }
 
+FailureMode failure_mode(double mode) {
+  if (mode == kernels::kFailedInTension) {
+    return FailureMode::tension;
+  }
+  return mode == kernels::kFailedInShear ? FailureMode::shear : FailureMode::intact;
+}
+
 }  // namespace
 
 class Simulation::Implementation {
@@ -148,7 +155,10 @@ ParticleTable Simulation::particles() const {
     table.velocity.push_back({p.velocity[0][i], p.velocity[1][i], 0.0});
     table.stress.push_back(stress);
     table.max_principal_stress.push_back(max_principal(stress));
-    table.failed.push_back(static_cast<FailureMode>(static_cast<int>(p.failure_mode[i])));
+    table.failed.push_back(failure_mode(p.failure_mode[i]));
+    table.damage.push_back(p.failure_mode[i] >= kernels::kFailedInTension ? 1.0
+                           : p.damage.empty()                             ? 0.0
+                                                                          : p.damage[i]);
     table.failure_step.push_back(p.failure_step[i]);
   }
   return table;

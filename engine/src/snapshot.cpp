@@ -52,6 +52,7 @@ void write_point_data(const Hdf5Group& data, const ParticleTable& particles) {
   data.write_dataset("stress", "Pa", table_of(particles.stress));
   data.write_dataset("max_principal_stress", "Pa", table_of(particles.max_principal_stress));
   data.write_dataset("failed", "1", table_of(particles.failed));
+  data.write_dataset("damage", "1", table_of(particles.damage));
   data.write_dataset("failure_step", "1", table_of(particles.failure_step));
 }
 

@@ -62,6 +62,10 @@ Solver<Dim>::Solver(const Case& settings, kernels::Isa isa, Workers& workers)
     material_of_id_.push_back(seed.material);
   }
   particles_ = particles_from<Dim>(seeds);
+  if (std::any_of(materials_.begin(), materials_.end(),
+                  [](const kernels::MaterialConstants& material) { return material.softens; })) {
+    particles_.damage.assign(seeds.size(), 0.0);
+  }
   ledger_.set_initial_speed(fastest(seeds));
   node_update_.dt = dt_;
   node_update_.least_mass = least_node_mass<Dim>(settings);
@@ -238,7 +242,7 @@ template <int Dim>
 void Solver<Dim>::note_first_failure() {
   std::optional<std::size_t> first;
   for (std::size_t i = 0; i < particles_.lanes(); ++i) {
-    const bool failed = !particles_.is_padding(i) && particles_.failure_mode[i] > kernels::kIntact;
+    const bool failed = particles_.failure_mode[i] >= kernels::kFailedInTension;
     if (failed && (!first || particles_.id[i] < particles_.id[*first])) {
       first = i;
     }
@@ -316,9 +320,9 @@ template <int Dim>
 std::size_t Solver<Dim>::memory_bytes() const {
   constexpr std::size_t kDoubles = 2 * Dim + Particles<Dim>::kStress + 4;
   const std::size_t lane = kDoubles * sizeof(double) + sizeof(std::int32_t) + sizeof(std::uint32_t);
-  return particles_.lanes() * lane + particles_.slot_material.size() +
-         particles_.group_begin.size() * sizeof(std::uint32_t) + material_of_id_.size() +
-         grid_.memory_bytes();
+  return particles_.lanes() * lane + particles_.damage.size() * sizeof(double) +
+         particles_.slot_material.size() + particles_.group_begin.size() * sizeof(std::uint32_t) +
+         material_of_id_.size() + grid_.memory_bytes();
 }
 
 template class Solver<2>;

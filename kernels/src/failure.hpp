@@ -17,6 +17,11 @@ inline Batch trace(const PlaneStress& s) {
   return s.xx + s.yy + s.zz;
 }
 
+inline PlaneStress choose(Mask condition, const PlaneStress& yes, const PlaneStress& no) {
+  return {xsimd::select(condition, yes.xx, no.xx), xsimd::select(condition, yes.yy, no.yy),
+          xsimd::select(condition, yes.zz, no.zz), xsimd::select(condition, yes.xy, no.xy)};
+}
+
 /// Centre and squared radius of Mohr's circle in the plane.
 struct Circle {
   Batch centre;

@@ -3,6 +3,7 @@
 #include "failure.hpp"
 #include "g2p.hpp"
 #include "nodes.hpp"
+#include "softening.hpp"
 
 /// Stress and failure of a batch of particles from the gradient of their velocity.
 namespace rgimp::kernels {
@@ -31,17 +32,23 @@ inline PlaneIncrement increment_at(const VectorCoefficients<2>& velocity, const 
           dt_per_two_cells * fused(aspect, x[1], -y[0])};
 }
 
+struct Elasticity {
+  explicit Elasticity(const MaterialConstants& material)
+      : lambda(material.lambda), shear_modulus(material.shear_modulus) {}
+
+  double lambda;
+  double shear_modulus;
+};
+
 /// A material's constants as a step needs them.
 struct StepMaterial {
   StepMaterial(const MaterialConstants& material, double dt)
-      : lambda(material.lambda),
-        shear_modulus(material.shear_modulus),
+      : elasticity(material),
         quadratic_viscosity(material.quadratic_viscosity / (dt * dt)),
         linear_viscosity(material.linear_viscosity / dt),
         test(material.limits) {}
 
-  double lambda;
-  double shear_modulus;
+  Elasticity elasticity;
   double quadratic_viscosity;  // m2/s2, per squared strain of a step
   double linear_viscosity;     // m2/s2, per strain of a step
   FailureTest test;
@@ -49,7 +56,7 @@ struct StepMaterial {
 
 /// Hooke's law in plane strain with the Jaumann rate, sigma += C : D dt + W sigma - sigma W.
 inline PlaneStress elastic_stress(const PlaneStress& s, const PlaneIncrement& e, Batch strain_trace,
-                                  const StepMaterial& material) {
+                                  const Elasticity& material) {
   const Batch lambda(material.lambda);
   const Batch twice_shear(2.0 * material.shear_modulus);
   const Batch turned = e.turn * s.xy;
@@ -58,6 +65,11 @@ inline PlaneStress elastic_stress(const PlaneStress& s, const PlaneIncrement& e,
           fused(twice_shear, e.yy, fused(lambda, strain_trace, s.yy)) - turned,
           fused(lambda, strain_trace, s.zz),
           fused(Batch(material.shear_modulus), e.xy, fused(e.turn, half_difference, s.xy))};
+}
+
+inline PlaneStress load_stress(const ParticleView<2>& p, std::size_t index) {
+  return {Batch::load_aligned(p.stress[0] + index), Batch::load_aligned(p.stress[1] + index),
+          Batch::load_aligned(p.stress[2] + index), Batch::load_aligned(p.stress[3] + index)};
 }
 
 /// A batch of lanes whose elastic stress is known and which holds failed or failing particles.
@@ -96,8 +108,35 @@ class FailureLog {
         trial.volume * (energy_density(s, material) - energy_density(left, material) -
                         half_work(s, left, trial.increment));
     released_.add(xsimd::select(failed, released, Batch(0.0)), part);
-    return {xsimd::select(failed, left.xx, s.xx), xsimd::select(failed, left.yy, s.yy),
-            xsimd::select(failed, left.zz, s.zz), xsimd::select(failed, left.xy, s.xy)};
+    return choose(failed, left, s);
+  }
+
+  /// The same for a material that softens. The trial stress holds for lanes that are not softening
+  /// yet; the others take their step from the effective stress.
+  [[gnu::noinline]] PlaneStress soften(ParticleView<2> particles, std::size_t index, int part,
+                                       const Trial& trial, const MaterialConstants& material) {
+    const Mask softening = (trial.mode > Batch(kIntact)) & (trial.mode < Batch(kFailedInTension));
+    const Batch damage =
+        xsimd::select(softening, Batch::load_aligned(particles.damage + index), Batch(0.0));
+    const PlaneStress resumed =
+        elastic_stress(effective_stress(load_stress(particles, index), damage), trial.increment,
+                       trial.increment.xx + trial.increment.yy, Elasticity(material));
+    const PlaneStress s = choose(softening, resumed, trial.stress);
+    const Softened now = grow_damage(s, trial.mode, damage, material);
+    note_new(particles, index, trial.mode, now.mode);
+    const Mask failed = now.mode >= Batch(kFailedInTension);
+    xsimd::select(failed, Batch(1.0), now.damage).store_aligned(particles.damage + index);
+
+    const PlaneStress carried = nominal_stress(s, now.damage);
+    const PlaneStress left = choose(failed, failed_stress(carried, material), carried);
+    const Batch energy_left = xsimd::select(failed, energy_density(left, material),
+                                            elastic_energy_density(s, now.damage, material));
+    const Batch released =
+        trial.volume * (elastic_energy_density(s, damage, material) - energy_left -
+                        half_work(nominal_stress(s, damage), left, trial.increment));
+    const Mask not_intact = now.mode > Batch(kIntact);
+    released_.add(xsimd::select(not_intact, released, Batch(0.0)), part);
+    return choose(not_intact, left, s);
   }
 
   double released() const { return released_.total(); }
@@ -112,7 +151,7 @@ class FailureLog {
     now.store_aligned(is);
     now.store_aligned(particles.failure_mode + index);
     for (int lane = 0; lane < kLanes; ++lane) {
-      if (was[lane] != is[lane]) {
+      if (was[lane] != is[lane] && is[lane] >= kFailedInTension) {
         particles.failure_step[index + lane] = step_;
         tension_ += is[lane] == kFailedInTension ? 1 : 0;
         shear_ += is[lane] == kFailedInShear ? 1 : 0;
@@ -143,12 +182,14 @@ class StressUpdate {
     use(material);
     const Batch strain_trace = e.xx + e.yy;
     const Batch volume = update_volume(index, part, strain_trace);
-    PlaneStress s = elastic_stress(load(index), e, strain_trace, constants_);
+    PlaneStress s = elastic_stress(load_stress(p_, index), e, strain_trace, constants_.elasticity);
     const Circle circle = circle_of(s);
     const Batch mode = Batch::load_aligned(p_.failure_mode + index);
     // Rare: a handful of particles in a hundred thousand.
     if (xsimd::any(may_fail(s, circle, constants_.test) | (mode > Batch(kIntact)))) {
-      s = log_->fail(p_, index, part, {s, e, circle, mode, volume}, material);
+      const Trial trial{s, e, circle, mode, volume};
+      s = material.softens ? log_->soften(p_, index, part, trial, material)
+                           : log_->fail(p_, index, part, trial, material);
     }
     store(index, s);
   }
@@ -162,11 +203,6 @@ class StressUpdate {
       last_ = &material;
       constants_ = StepMaterial(material, dt_);
     }
-  }
-
-  PlaneStress load(std::size_t index) const {
-    return {Batch::load_aligned(p_.stress[0] + index), Batch::load_aligned(p_.stress[1] + index),
-            Batch::load_aligned(p_.stress[2] + index), Batch::load_aligned(p_.stress[3] + index)};
   }
 
   void store(std::size_t index, const PlaneStress& s) const {

@@ -73,6 +73,10 @@ struct Failure {
   double shear_strength = 0.0;    ///< Pa, shear_stress
   double tensile_strain = 0.0;    ///< 1, principal_strain
   double shear_strain = 0.0;      ///< 1, shear_strain
+  /// J/m2, mode I and mode II; 0: the point fails at once, the paper's rule. Read by mohr_coulomb,
+  /// the first by principal_stress too and the second by shear_stress.
+  double fracture_energy = 0.0;
+  double shear_fracture_energy = 0.0;
   Treatment treatment = Treatment::no_tension;
   double pressure_min = 0.0;  ///< Pa, <= 0 (tension), pressure_window only
   double pressure_max = 0.0;  ///< Pa, >= 0, pressure_window only

@@ -17,21 +17,22 @@ enum class FailureMode : std::uint8_t { intact = 0, tension = 1, shear = 2 };
 /// One row of history.csv, at the end of a step.
 struct HistoryRow {
   std::int64_t step = 0;
-  double time = 0.0;             ///< s
-  double closure = 0.0;          ///< m, sum of the platens' displacements towards the specimen
-  double axial_stress = 0.0;     ///< Pa, reaction / (bounding width x thickness), compression > 0
-  double reaction = 0.0;         ///< N (2D: per metre), mean of the opposed platens, compr. > 0
-  double kinetic_energy = 0.0;   ///< J, here and below in 2D per metre of thickness
-  double strain_energy = 0.0;    ///< J, sum of V sigma : C^-1 : sigma / 2
+  double time = 0.0;            ///< s
+  double closure = 0.0;         ///< m, sum of the platens' displacements towards the specimen
+  double axial_stress = 0.0;    ///< Pa, reaction / (bounding width x thickness), compression > 0
+  double reaction = 0.0;        ///< N (2D: per metre), mean of the opposed platens, compr. > 0
+  double kinetic_energy = 0.0;  ///< J, here and below in 2D per metre of thickness
+  /// J, sum of V sigma : C^-1 : s / 2; s is sigma, or the effective stress where points soften
+  double strain_energy = 0.0;
   double external_work = 0.0;    ///< J, of platens and body force
   double damping_work = 0.0;     ///< J, taken by local damping, never falls
   double viscous_work = 0.0;     ///< J, taken by bulk viscosity
-  double released_energy = 0.0;  ///< J, strain energy dropped by failure
+  double released_energy = 0.0;  ///< J, strain energy dropped by failure and damage
   std::int64_t failed_tension = 0;
   std::int64_t failed_shear = 0;
 };
 
-/// The first particle to fail; ties go to the lowest id.
+/// The first particle to fail, damage 1; ties go to the lowest id.
 struct FirstFailure {
   std::int64_t step = 0;
   double closure = 0.0;       ///< m
@@ -48,6 +49,7 @@ struct ParticleTable {
   std::vector<std::array<double, 6>> stress;    ///< Pa; xx, yy, zz, xy, yz, xz; tension > 0
   std::vector<double> max_principal_stress;     ///< Pa, of the three-dimensional tensor
   std::vector<FailureMode> failed;
+  std::vector<double> damage;              ///< 1, share of the strength lost; 1 where failed
   std::vector<std::int32_t> failure_step;  ///< -1 while intact
 
   std::size_t size() const { return id.size(); }

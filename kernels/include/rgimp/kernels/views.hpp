@@ -20,6 +20,9 @@ constexpr int kStressColumn[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
 
 /// Values of ParticleView::failure_mode; a double so that a kernel loads it like any column.
 inline constexpr double kIntact = 0.0;
+/// Between intact and failed, so that one comparison finds what is not intact, or what has failed.
+inline constexpr double kSofteningInTension = 0.25;
+inline constexpr double kSofteningInShear = 0.5;
 inline constexpr double kFailedInTension = 1.0;
 inline constexpr double kFailedInShear = 2.0;
 /// A lane without a particle: no mass, no volume, and it never fails.
@@ -36,10 +39,13 @@ struct ParticleView {
   double* volume;                          ///< m3 (2D: m2)
   double* mass;                            ///< kg (2D: kg/m)
   double* viscous_energy;                  ///< J, bulk viscous pressure times volume, >= 0
-  double* failure_mode;                    ///< kIntact, kFailedInTension, kFailedInShear, kPadding
-  std::int32_t* failure_step;              ///< step at whose end the point had failed
-  const std::uint32_t* group_begin;        ///< first slot of each group, and one past the last
-  const std::uint8_t* slot_material;       ///< index of the one material of a slot
+  double* failure_mode;                    ///< one of the modes above, or kPadding
+  /// 1, share of the strength lost, 1 where failed; only materials that soften read or write it,
+  /// and it is null where there are none.
+  double* damage;
+  std::int32_t* failure_step;         ///< step at whose end the point had failed
+  const std::uint32_t* group_begin;   ///< first slot of each group, and one past the last
+  const std::uint8_t* slot_material;  ///< index of the one material of a slot
 };
 
 /// Node fields, x fastest. A row is the nodes along x, padded to whole groups; rows follow each
@@ -76,6 +82,13 @@ struct FailureLimits {
   double shear;              ///< Pa
 };
 
+/// Softening by fracture energy (a crack band). 1 / eta of a band one cell wide: the strain at the
+/// limit over the one at which nothing is left. 1: fails at once, the paper's rule.
+struct Softening {
+  double tension;
+  double shear;
+};
+
 struct MaterialConstants {
   double lambda;  ///< Pa, Lame's first
   double shear_modulus;
@@ -84,6 +97,8 @@ struct MaterialConstants {
   double energy_of_square;     ///< 1/Pa, (1 + nu) / (2 E): energy density per s : s
   double energy_of_trace;      ///< 1/Pa, nu / (2 E): energy density per -(tr s)^2
   FailureLimits limits;
+  Softening softening;
+  bool softens;                ///< whether either is less than 1
   double failed_pressure_min;  ///< Pa, what a failed point still carries: p clamped to these
   double failed_pressure_max;
 };

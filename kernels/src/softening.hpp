@@ -1,0 +1,102 @@
+#pragma once
+
+#include "failure.hpp"
+
+/// Softening by fracture energy: a crack band (Bazant & Oh, Crack band theory for fracture of
+/// concrete, Materials and Structures 16, 1983) as scalar damage D of the effective stress s, the
+/// stress that the material would carry unharmed. Our extension; the paper has none.
+///
+///   nominal stress   sigma = (1 - D) dev s + (tr s > 0 ? 1 - D : 1) tr s / 3 I
+///   load             kappa = s1 / sigma_t in tension, Mohr-Coulomb's or Tresca's stress over its
+///                    limit in shear; the mode is that of the onset
+///   damage           D = max(D, (1 - 1 / kappa) / (1 - 1 / eta)): linear softening; D = 1: failed
+///   dissipation      eta = 2 (lambda + 2 mu) G_f / (sigma_t^2 h), in shear 2 mu G_II / (c^2 h):
+///   the
+///                    area under the curve, times the band's width h, is the fracture energy
+///
+/// The width h of a band of cells whose normal is n is what a cell of size L covers along n,
+/// h = L sum |n_i|. In the plane, n the direction of s1, (|n_x| + |n_y|)^2 = 1 + |sin 2 theta| with
+/// |sin 2 theta| = |s_xy| / r, r the radius of Mohr's circle. In three dimensions the projection
+/// onto that direction, P = (s - s2 I)(s - s3 I) / ((s1 - s2)(s1 - s3)) = n n^T, gives
+/// |n_i| = sqrt(P_ii), so h = L (sqrt(P_xx) + sqrt(P_yy) + sqrt(P_zz)), at most sqrt(3) L; where
+/// s1 = s2 no direction is marked and h = L, as here where r = 0. A band in shear runs along
+/// neither principal direction: h = L.
+///
+/// Particles hold the nominal stress, from which s is recovered, so that everything else that reads
+/// stresses need not know of damage.
+namespace rgimp::kernels {
+namespace {
+
+/// sigma_i = factor s_i + spared I.
+inline PlaneStress scaled(const PlaneStress& s, Batch factor, Batch spared) {
+  return {fused(factor, s.xx, spared), fused(factor, s.yy, spared), fused(factor, s.zz, spared),
+          factor * s.xy};
+}
+
+/// Mean stress where it is pressure, else 0.
+inline Batch closed_part(const PlaneStress& s) {
+  return xsimd::min(trace(s) * Batch(1.0 / 3.0), Batch(0.0));
+}
+
+inline PlaneStress nominal_stress(const PlaneStress& effective, Batch damage) {
+  return scaled(effective, Batch(1.0) - damage, damage * closed_part(effective));
+}
+
+inline PlaneStress effective_stress(const PlaneStress& nominal, Batch damage) {
+  const Batch factor = Batch(1.0) / (Batch(1.0) - damage);
+  return scaled(nominal, factor, (Batch(1.0) - factor) * closed_part(nominal));
+}
+
+/// What the point gives back when it is unloaded, sigma : C^-1 : s / 2, J/m3.
+inline Batch elastic_energy_density(const PlaneStress& effective, Batch damage,
+                                    const MaterialConstants& material) {
+  const Batch pressure = closed_part(effective);
+  const Batch kept =
+      Batch(3.0 * material.energy_of_square - 9.0 * material.energy_of_trace) * pressure * pressure;
+  return fused(Batch(1.0) - damage, energy_density(effective, material) - kept, kept);
+}
+
+/// What a batch of lanes has become.
+struct Softened {
+  Batch mode;
+  Batch damage;
+};
+
+/// `mode` and `damage` are those before; lanes that have failed stay as they are.
+inline Softened grow_damage(const PlaneStress& s, Batch mode, Batch damage,
+                            const MaterialConstants& material) {
+  const FailureLimits& l = material.limits;
+  const Circle circle = circle_of(s);
+  const Batch onset = failure_mode(s, circle, l);
+  const Mask was_intact = mode == Batch(kIntact);
+  const Mask in_tension =
+      (mode == Batch(kSofteningInTension)) | (was_intact & (onset == Batch(kFailedInTension)));
+  const Mask in_shear =
+      (mode == Batch(kSofteningInShear)) | (was_intact & (onset == Batch(kFailedInShear)));
+
+  const Batch radius = xsimd::sqrt(circle.radius2);
+  const Batch major = xsimd::max(circle.centre + radius, s.zz);
+  const Batch minor = xsimd::min(circle.centre - radius, s.zz);
+  const Batch sheared = fused(Batch(l.shear_major), major, Batch(-l.shear_minor) * minor);
+  const Batch load = xsimd::select(in_tension, major, sheared);
+  const Batch limit = xsimd::select(in_tension, Batch(l.tension), Batch(l.shear));
+  const Batch oblique =
+      xsimd::abs(s.xy) / xsimd::max(radius, Batch(__DBL_MIN__));  // 0 where there is no circle
+  const Batch brittleness = xsimd::select(
+      in_tension, xsimd::sqrt(Batch(1.0) + oblique) * Batch(material.softening.tension),
+      Batch(material.softening.shear));
+  const Batch grown =
+      xsimd::min((Batch(1.0) - limit / load) / (Batch(1.0) - brittleness), Batch(1.0));
+  const Batch reached = xsimd::select(brittleness < Batch(1.0), grown, Batch(1.0));
+  const Mask grows = (in_tension | in_shear) & (load >= limit);
+  const Batch now = xsimd::select(grows, xsimd::max(damage, reached), damage);
+
+  const Mask fails = now >= Batch(1.0);
+  const Batch tension_mode =
+      xsimd::select(fails, Batch(kFailedInTension), Batch(kSofteningInTension));
+  const Batch shear_mode = xsimd::select(fails, Batch(kFailedInShear), Batch(kSofteningInShear));
+  return {xsimd::select(in_tension, tension_mode, xsimd::select(in_shear, shear_mode, mode)), now};
+}
+
+}  // namespace
+}  // namespace rgimp::kernels
