@@ -21,7 +21,7 @@ GridExtent moved_extent() {
   return moved;
 }
 
-std::vector<kernels::MaterialConstants> two_materials() {
+std::vector<kernels::MaterialConstants> two_materials(const Filling& filling) {
   Case settings;
   settings.grid.cell_size = kCell;
   Material rock{2600.0, 17e9, 0.14, Failure{}};
@@ -34,13 +34,20 @@ std::vector<kernels::MaterialConstants> two_materials() {
   soft.failure->treatment = Treatment::pressure_window;
   soft.failure->pressure_min = -1e5;
   soft.failure->pressure_max = 2e6;
+  if (filling.softens) {
+    rock.failure->fracture_energy = 1.0;
+    rock.failure->shear_fracture_energy = 60.0;
+    soft.failure->criterion = Criterion::shear_stress;
+    soft.failure->shear_strength = 2.5e6;
+    soft.failure->shear_fracture_energy = 1.5;
+  }
   return {material_constants(rock, settings), material_constants(soft, settings)};
 }
 
 }  // namespace
 
 RandomState::RandomState(unsigned seed, int particles_per_cell, const Filling& filling)
-    : grid(extent(), particles_per_cell, 0.7), materials(two_materials()), random_(seed) {
+    : grid(extent(), particles_per_cell, 0.7), materials(two_materials(filling)), random_(seed) {
   grid.move(1, moved_extent());
   place_slots(filling);
   for (std::size_t group = 0; group + 1 < particles.group_begin.size(); ++group) {
@@ -71,6 +78,9 @@ void RandomState::place_slots(const Filling& filling) {
     }
   }
   const std::size_t slots = particles.group_begin.back();
+  if (filling.softens) {
+    particles.damage = {0.0};  // present, sized below
+  }
   for (std::size_t slot = 0; slot < slots; ++slot) {
     particles.slot_material.push_back(uniform(0.0, 1.0) < 0.5 ? 0 : 1);
   }
@@ -102,7 +112,23 @@ void RandomState::fill_lane(std::size_t index, const Filling& filling) {
   particles.failure_mode[index] = draw < 0.8   ? kernels::kIntact
                                   : draw < 0.9 ? kernels::kFailedInTension
                                                : kernels::kFailedInShear;
+  if (filling.softens) {
+    set_damage(index);
+  }
   particles.id[index] = static_cast<std::uint32_t>(particles.count++);
+}
+
+/// Half of the intact ones are on the way to failure.
+void RandomState::set_damage(std::size_t index) {
+  double& mode = particles.failure_mode[index];
+  const double draw = uniform(0.0, 1.0);
+  if (mode != kernels::kIntact) {
+    particles.damage[index] = 1.0;
+  } else if (draw < 0.5) {
+    const bool sheared = draw < 0.25 || particles.slot_material[index / 8] == 1;
+    mode = sheared ? kernels::kSofteningInShear : kernels::kSofteningInTension;
+    particles.damage[index] = uniform(0.0, 0.9);
+  }
 }
 
 void RandomState::randomise_nodes() {

@@ -14,6 +14,7 @@ struct Filling {
   double occupied = 0.7;            ///< share of lanes with a particle
   bool only_one_per_group = false;  ///< all other lanes padding
   double initial_stress = 3e6;      ///< Pa, spread of the components
+  bool softens = false;             ///< both materials have fracture energies
 };
 
 /// A grid and particles anywhere in the range a particle may drift before its bin is wrong,
@@ -31,6 +32,7 @@ struct RandomState {
 
  private:
   void place_slots(const Filling& filling);
+  void set_damage(std::size_t index);
   void fill_lane(std::size_t index, const Filling& filling);
   double uniform(double low, double high);
 

@@ -109,6 +109,7 @@ void compare(const Run& run) {
       {.most_slots = 40, .occupied = 0.5},
       {.most_slots = 3, .occupied = 0.0, .only_one_per_group = true},
       {.most_slots = 4, .occupied = 1.0, .initial_stress = 1e5},
+      {.most_slots = 6, .softens = true},
   };
   for (const Isa isa : kernels::kAllIsas) {
     if (!kernels::available(isa) || isa == Isa::reference) {

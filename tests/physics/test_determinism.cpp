@@ -73,6 +73,19 @@ TEST_CASE("1, 2, 3 and 7 threads give the same bits in a cracking case with re-b
   }
 }
 
+TEST_CASE("a softening run has the same bits on any number of threads, and on AVX2 and AVX-512") {
+  const Outcome one = crack(softening_block(), 1, kernels::best_isa());
+  REQUIRE(one.row.failed_tension > 20);
+  REQUIRE(one.row.failed_shear > 0);
+  for (const int threads : {2, 3}) {
+    INFO(threads << " threads");
+    REQUIRE(crack(softening_block(), threads, kernels::best_isa()).hash == one.hash);
+  }
+  if (kernels::available(kernels::Isa::avx512)) {
+    REQUIRE(crack(softening_block(), 2, kernels::Isa::avx2).hash == one.hash);
+  }
+}
+
 TEST_CASE("the scalar twins give the same bits on any number of threads") {
   REQUIRE(crack(1, kernels::Isa::reference).hash == crack(3, kernels::Isa::reference).hash);
 }

@@ -77,4 +77,13 @@ inline Case cracking_block() {
   return settings;
 }
 
+/// The same with fracture energies.
+inline Case softening_block() {
+  Case settings = cracking_block();
+  settings.materials["rock"].failure->fracture_energy = 0.5;
+  settings.materials["rock"].failure->shear_fracture_energy = 20.0;
+  settings.local_damping = 0.1;
+  return settings;
+}
+
 }  // namespace rgimp::tests

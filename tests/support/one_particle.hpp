@@ -31,6 +31,9 @@ class OneParticle {
     seed.volume = 0.25 * kCell * kCell;
     seed.mass = material.density * seed.volume;
     particles_ = particles_from<2>({seed});
+    if (constants_.softens) {
+      particles_.damage = {0.0};
+    }
     bin_particles(particles_, {0}, grid_, workers_);
     while (particles_.is_padding(lane_)) {
       ++lane_;
@@ -47,6 +50,7 @@ class OneParticle {
             particles_.stress[3][lane_]};
   }
   double mode() const { return particles_.failure_mode[lane_]; }
+  double damage() const { return particles_.damage[lane_]; }
   double volume() const { return particles_.volume[lane_]; }
   double viscous_energy() const { return particles_.viscous_energy[lane_]; }
   double mass() const { return particles_.mass[lane_]; }

@@ -46,6 +46,11 @@ failure = {criterion = "shear-strain", shear_strain = 1e-4, treatment = "pressur
 density = 1
 youngs_modulus = 2
 poisson_ratio = 0.3
+[material.tough]
+density = 1
+youngs_modulus = 2e6
+poisson_ratio = 0.3
+failure = {criterion = "principal-stress", tensile_strength = 1e2, fracture_energy = 0.75}
 [time]
 duration = 1e-6
 integrator = "usf"
@@ -104,6 +109,7 @@ TEST_CASE("what is written reads back to the same materials") {
   CHECK(hard.failure->shear_strength == 0.0);
   CHECK(hard.failure->treatment == rgimp::Treatment::pressure_window);
   CHECK(hard.failure->pressure_min == -1.5);
+  CHECK(second.materials.at("tough").failure->fracture_energy == 0.75);
   CHECK_FALSE(second.materials.at("soft").failure.has_value());
 }
 
@@ -123,7 +129,8 @@ TEST_CASE("what is written reads back to the same loads, times and outputs") {
 }
 
 TEST_CASE("the examples survive writing, and defaults are spelt out") {
-  for (const char* name : {"single_flaw.toml", "double_flaw.toml", "brazilian_disk.toml"}) {
+  for (const char* name : {"single_flaw.toml", "single_flaw_fracture_energy.toml",
+                           "double_flaw.toml", "brazilian_disk.toml"}) {
     INFO(name);
     const rgimp::Case example = rgimp::read_case(kExamples / name);
     const std::string text = rgimp::write_case(example);

@@ -23,6 +23,7 @@ ParticleTable three_particles() {
   table.stress = {{{1.0, 2.0, 3.0, 4.0, 5.0, 6.0}, {}, {-1.0, -2.0, -3.0, -4.0, -5.0, -6.0}}};
   table.max_principal_stress = {1e6, 0.0, -0.25};
   table.failed = {FailureMode::tension, FailureMode::intact, FailureMode::shear};
+  table.damage = {1.0, 0.25, 1.0};
   table.failure_step = {17, -1, 2000000000};
   return table;
 }
@@ -146,6 +147,7 @@ TEST_CASE("a snapshot holds every column of the particles, bit for bit") {
   CHECK(reader.extent("PointData/stress") == std::vector<hsize_t>{3, 6});
   CHECK(reader.doubles("PointData/max_principal_stress") == table.max_principal_stress);
   CHECK(reader.integers("PointData/failed") == std::vector{1, 0, 2});
+  CHECK(reader.doubles("PointData/damage") == table.damage);
   CHECK(reader.integers("PointData/failure_step") == table.failure_step);
   CHECK(reader.text_attribute("VTKHDF/Points", "units") == "m");
   CHECK(reader.text_attribute("VTKHDF/PointData/velocity", "units") == "m/s");

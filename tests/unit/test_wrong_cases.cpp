@@ -30,11 +30,10 @@ TEST_CASE("keys and types are refused with line, key and what was expected") {
        "33: time.quux: unknown key; the keys here are steps, duration, step_factor, integrator"},
       {"[time]", "[tiem]", "31: tiem: unknown key; did you mean \"time\"?"},
       {"[[flaw]]", "[[flaws]]", "10: flaws: unknown key; did you mean \"flaw\"?"},
-      {"tensile_strength = 2e6", "tensile_strength = 2e6\nfracture_energy = 1.0",
-       "25: material.rock.failure.fracture_energy: unknown key; the keys here are criterion, "
+      {"tensile_strength = 2e6", "tensile_strength = 2e6\nfracture_toughness = 1.0",
+       "25: material.rock.failure.fracture_toughness: unknown key; the keys here are criterion, "
        "treatment, cohesion, friction_angle, tensile_strength, shear_strength, tensile_strain, "
-       "shear_strain, "
-       "pressure_min, pressure_max"},
+       "shear_strain, fracture_energy, shear_fracture_energy, pressure_min, pressure_max"},
       {"cell_size = 0.5e-3", "", "3: grid.cell_size: missing; expected a real number"},
       {"[time]\nsteps = 1000\n", "", "1: time: missing; expected a table"},
       {"shape = \"box\"", "", "5: body[0].shape: missing; expected one of box, disk"},

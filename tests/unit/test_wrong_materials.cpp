@@ -65,6 +65,42 @@ TEST_CASE("a criterion or treatment reads its own keys and no others") {
   });
 }
 
+TEST_CASE("fracture energies that do not apply, or not to cells of this size, are refused") {
+  check_rows({
+      {kFailure, kFailure + "fracture_energy = 1.0\nshear_fracture_energy = 10.0\n", "accepted"},
+      {kFailure, kFailure + "fracture_energy = 0\nshear_fracture_energy = 0.0\n", "accepted"},
+      {kFailure, kFailure + "fracture_energy = -1.0\n",
+       "25: material.rock.failure.fracture_energy: is -1; expected 0 or more"},
+      {kFailure, kFailure + "shear_fracture_energy = nan\n",
+       "25: material.rock.failure.shear_fracture_energy: is nan; expected a finite number"},
+      {kFailure,
+       "criterion = \"principal-stress\"\ntensile_strength = 2e6\nshear_fracture_energy = 1.0\n",
+       "23: material.rock.failure.shear_fracture_energy: not read by criterion "
+       "\"principal-stress\", which reads fracture_energy"},
+      {kFailure,
+       "criterion = \"hydrostatic-tension\"\ntensile_strength = 2e6\nfracture_energy = 1.0\n",
+       "23: material.rock.failure.fracture_energy: not read by criterion "
+       "\"hydrostatic-tension\""},
+      {kFailure, kFailure + "fracture_energy = 0.07\n",
+       "25: material.rock.failure.fracture_energy: needs cells smaller than sqrt(2) (lambda + 2 "
+       "mu) "
+       "fracture_energy / tensile_strength^2 = 0.000440822 m; grid.cell_size is 0.0005"},
+      {kFailure, kFailure + "shear_fracture_energy = 1.0\n",
+       "25: material.rock.failure.shear_fracture_energy: needs cells smaller than 2 mu "
+       "shear_fracture_energy / shear strength^2 = 0.000421221 m; grid.cell_size is 0.0005"},
+  });
+}
+
+TEST_CASE("a fracture energy of a case built in code is refused where the criterion has none") {
+  rgimp::Case settings = rgimp::testing::read_text(rgimp::testing::kRightCase);
+  rgimp::Failure& failure = *settings.materials.at("rock").failure;
+  failure.criterion = rgimp::Criterion::hydrostatic_tension;
+  failure.fracture_energy = 1.0;
+  CHECK_THROWS_WITH(rgimp::check_case(settings),
+                    Catch::EndsWith("fracture_energy: not read by criterion "
+                                    "\"hydrostatic-tension\""));
+}
+
 TEST_CASE("material values out of range are refused") {
   check_rows({
       {"2600.0", "0", "17: material.rock.density: is 0; expected a number above 0"},
