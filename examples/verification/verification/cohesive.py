@@ -53,7 +53,7 @@ def strength(notch, width, modulus, tensile_strength, energy):
     """Largest remote stress, Pa; `notch` is half the crack's length, m, modulus that of plane
     strain. Valid while closing stress is left at the notch when it is reached."""
     loads = []
-    for zone in np.arange(0.02, 2.0, 0.01) * notch:
+    for zone in np.arange(0.01, 2.0, 0.01) * modulus * energy / tensile_strength**2:
         if notch + zone >= 0.5 * width:
             break
         load, left = load_at(notch + zone, notch, width, modulus, tensile_strength, energy)
