@@ -38,6 +38,14 @@ class VerdictTest(unittest.TestCase):
             for result in (float("nan"), float("inf"), float("-inf")):
                 self.assertEqual(row(result, 1.0, kind, 0.1).verdict, "missed", f"{kind}: {result}")
 
+    def test_what_never_happened_misses_and_nothing_is_relative_to_zero(self):
+        for kind in (table.RELATIVE, table.ABSOLUTE, table.AT_MOST, table.INSIDE, table.EQUAL):
+            reference = (1.0, 2.0) if kind == table.INSIDE else 1.0
+            never = row(None, reference, kind, 0.1)
+            self.assertEqual((never.verdict, never.error), ("missed", None))
+        with self.assertRaises(ValueError):
+            row(1.0, 0.0, table.RELATIVE, 0.1)
+
     def test_a_row_without_a_reference_is_reported_and_one_that_is_judged_needs_its_source(self):
         self.assertEqual(Row("case", "quantity", "1", 3.0).verdict, "reported")
         with self.assertRaises(ValueError):

@@ -98,8 +98,8 @@ def reference_of(row):
 
 def error_of(row):
     if row.kind == RELATIVE:
-        return f"{100 * row.error:+.2f} %"
-    return f"{row.error:+.3g}" if row.kind == ABSOLUTE else ""
+        return "" if row.error is None else f"{100 * row.error:+.2f} %"
+    return f"{row.error:+.3g}" if row.kind == ABSOLUTE and row.error is not None else ""
 
 
 def allowed(row):

@@ -79,7 +79,7 @@ class Study:
         directory = self.runs / self.name / name
         program = self.build / "bin/rgimp"
         stamp = self._stamp(program, text, *overrides)
-        stamp_file = directory.parent / f"{name}.stamp"
+        stamp_file = directory / "verified.sha256"  # written last: the run is whole
         if not (stamp_file.exists() and stamp_file.read_text(encoding="utf-8") == stamp):
             self._compute(program, directory, text, overrides)
             stamp_file.write_text(stamp, encoding="utf-8")

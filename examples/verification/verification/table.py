@@ -16,7 +16,8 @@ KINDS = (RELATIVE, ABSOLUTE, AT_MOST, AT_LEAST, INSIDE, EQUAL, REPORT)
 
 @dataclass(frozen=True)
 class Row:
-    """`result` and `reference` in `unit`; `source` says whose number the reference is."""
+    """`result` and `reference` in `unit`; `source` says whose number the reference is. A result
+    of None, what never happened, misses."""
     case: str
     quantity: str
     unit: str
@@ -33,10 +34,14 @@ class Row:
         if self.kind != REPORT and (self.reference is None or not self.source):
             raise ValueError(f"{self.case}, {self.quantity}: a row that is judged needs a "
                              "reference and its source")
+        if self.kind == RELATIVE and self.reference == 0:
+            raise ValueError(f"{self.case}, {self.quantity}: no error is relative to 0")
 
     @property
     def error(self):
         """Relative for `relative` rows, else a difference in the row's unit; None without one."""
+        if self.result is None:
+            return None
         if self.kind == RELATIVE:
             return self.result / self.reference - 1.0
         if self.kind == ABSOLUTE:
@@ -53,7 +58,7 @@ class Row:
     def _holds(self):
         if self.kind == EQUAL:
             return self.result == self.reference
-        if not math.isfinite(self.result):
+        if self.result is None or not math.isfinite(self.result):
             return False
         if self.kind == AT_MOST:
             return self.result <= self.reference
