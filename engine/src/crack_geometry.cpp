@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 
-#include "platen_geometry.hpp"
 #include "shapes.hpp"
 
 namespace rgimp {
@@ -135,13 +134,6 @@ std::optional<Side> side_within(const Case& settings, const Vector& point, doubl
     }
   }
   return std::nullopt;
-}
-
-std::optional<int> load_axis(const Case& settings) {
-  if (settings.platens.empty()) {
-    return std::nullopt;
-  }
-  return axis_of(settings.platens.front().side).axis;
 }
 
 }  // namespace rgimp

@@ -26,7 +26,4 @@ double distance_to(const Flaw& flaw, const Vector& point);
 /// several; a side that lies against another body does not count.
 std::optional<Side> side_within(const Case& settings, const Vector& point, double reach);
 
-/// 0 x, 1 y: the direction in which the first platen moves.
-std::optional<int> load_axis(const Case& settings);
-
 }  // namespace rgimp

@@ -12,6 +12,7 @@
 #include "crack_geometry.hpp"
 #include "crack_growth.hpp"
 #include "geometry.hpp"
+#include "platen_geometry.hpp"
 #include "rgimp/error.hpp"
 
 namespace rgimp {

@@ -8,16 +8,6 @@
 namespace rgimp {
 namespace {
 
-/// The axis of the first moving platen, else of the first platen, else y.
-int load_axis_of(const Case& settings) {
-  for (const Platen& platen : settings.platens) {
-    if (platen.speed != 0.0) {
-      return axis_of(platen.side).axis;
-    }
-  }
-  return settings.platens.empty() ? 1 : axis_of(settings.platens.front().side).axis;
-}
-
 double width_across(const Case& settings, int load_axis) {
   const Box box = bounds(settings);
   const int across = load_axis == 0 ? 1 : 0;
@@ -28,7 +18,7 @@ double width_across(const Case& settings, int load_axis) {
 
 Ledger::Ledger(const Case& settings, std::size_t rows)
     : platens_(settings.platens),
-      load_axis_(load_axis_of(settings)),
+      load_axis_(load_axis(settings).value_or(1)),
       width_(width_across(settings, load_axis_)),
       nodes_(rows),
       particles_(rows),

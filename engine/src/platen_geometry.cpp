@@ -1,5 +1,6 @@
 #include "platen_geometry.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rgimp {
@@ -16,6 +17,16 @@ PlatenAxis axis_of(Side side) {
       return {1, -1.0};
   }
   return {1, -1.0};
+}
+
+std::optional<int> load_axis(const Case& settings) {
+  const std::vector<Platen>& platens = settings.platens;
+  const auto moving = std::find_if(platens.begin(), platens.end(),
+                                   [](const Platen& platen) { return platen.speed != 0.0; });
+  if (moving != platens.end()) {
+    return axis_of(moving->side).axis;
+  }
+  return platens.empty() ? std::nullopt : std::optional(axis_of(platens.front().side).axis);
 }
 
 PlatenContact::PlatenContact(const Platen& platen, const Box& specimen)

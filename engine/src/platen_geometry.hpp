@@ -15,6 +15,9 @@ struct PlatenAxis {
 
 PlatenAxis axis_of(Side side);
 
+/// 0 x, 1 y: the axis of the first moving platen, else of the first one; none without platens.
+std::optional<int> load_axis(const Case& settings);
+
 /// Where a platen touches the specimen: its end on the platen's side, or a part of it.
 struct PlatenContact {
   PlatenContact(const Platen& platen, const Box& specimen);

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "models.hpp"
+#include "platen_geometry.hpp"
 #include "state_hash.hpp"
 
 namespace rgimp::tests {
@@ -152,6 +153,20 @@ TEST_CASE("a grid that moves gives the same bits on any number of threads, AVX2 
   if (kernels::available(kernels::Isa::avx512)) {
     REQUIRE(hash(2, kernels::Isa::avx2) == expected);
   }
+}
+
+TEST_CASE("the load's axis is that of the first platen that moves, else of the first one") {
+  Case settings = free_block(5.0, 5.0);
+  REQUIRE_FALSE(load_axis(settings).has_value());
+  Platen held;
+  held.side = Side::left;
+  settings.platens = {held};
+  REQUIRE(load_axis(settings) == 0);
+  Platen moving;
+  moving.side = Side::top;
+  moving.speed = 0.1;
+  settings.platens.push_back(moving);
+  REQUIRE(load_axis(settings) == 1);
 }
 
 }  // namespace rgimp::tests
