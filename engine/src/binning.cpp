@@ -27,7 +27,8 @@ template <int Dim>
   }
   throw PhysicsError(fmt::format(
       "particle {} left the grid: position ({}) m, velocity ({}) m/s; enlarge the grid with "
-      "grid.min and grid.max, or see whether the specimen has burst (smaller time.step_factor, "
+      "grid.min and grid.max (it follows the platens), or see whether the specimen has burst "
+      "(smaller time.step_factor, "
       "more damping.local)",
       particles.id[index], position, velocity));
 }

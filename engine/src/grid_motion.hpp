@@ -11,7 +11,9 @@ namespace rgimp {
 /// Where the grid lies in time. It follows the platens: the node rows on the specimen's ends at the
 /// start stay on the platens, so that end cells stay full however far platens travel. Between two
 /// opposed platens the spacing along their axis changes; with a platen on one end only, the grid
-/// moves along; axes without platens stay.
+/// moves along, so a body that does not may run out of it; axes without platens stay. A particle's
+/// half size is a share of a cell and changes with the spacing; the viscosity's L and dt stay those
+/// of the start. A specimen pulled apart gets ever longer cells.
 ///
 /// With rows fixed in space the end cell lost the platen's travel t and its stress rose by t / L:
 /// a block without flaws was 6 % too weak at 0.064 L.

@@ -91,7 +91,7 @@ Solver<Dim>::Solver(const Case& settings, kernels::Isa isa, Workers& workers)
 
 template <int Dim>
 void Solver<Dim>::step() {
-  place_layer(1 - layer_, steps_done_ + 1);
+  place_layer(1 - layer_, steps_done_ + 1);  // travel of the platens -> origin, spacing of next()
   prepare();  // where the step before could not: m_p v_p s_p V_p -> m_i p_i f_i -> a_i v_i
   update_.step = static_cast<std::int32_t>(steps_done_ + 1);
   switch (integrator_) {

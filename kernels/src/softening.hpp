@@ -10,9 +10,8 @@
 ///   load             kappa = s1 / sigma_t in tension, Mohr-Coulomb's or Tresca's stress over its
 ///                    limit in shear; the mode is that of the onset
 ///   damage           D = max(D, (1 - 1 / kappa) / (1 - 1 / eta)): linear softening; D = 1: failed
-///   dissipation      eta = 2 (lambda + 2 mu) G_f / (sigma_t^2 h), in shear 2 mu G_II / (c^2 h):
-///   the
-///                    area under the curve, times the band's width h, is the fracture energy
+///   dissipation      eta = 2 (lambda + 2 mu) G_f / (sigma_t^2 h), in shear 2 mu G_II / (c^2 h),
+///                    so that the area under the curve times the band's width h is that energy
 ///
 /// The width h of a band of cells whose normal is n is what a cell of size L covers along n,
 /// h = L sum |n_i|. In the plane, n the direction of s1, (|n_x| + |n_y|)^2 = 1 + |sin 2 theta| with
