@@ -61,12 +61,12 @@ def fracture_energy(study, short):
 
     A plate, 60 x 60 mm, pulled alike on all four sides, with a slot of 12 x 1.5 mm: every direction
     is a principal one, so the crack must go on along the slot, whatever its angle, and nothing but
-    the mesh can turn it. This is harsher than tension across the slot alone, which holds a crack on
+    the mesh can turn it; at 45 degrees symmetry holds it there. This is harsher than tension across the slot alone, which holds a crack on
     its way.
 
     Examples 1 and 3 at step factor 0.4 with each rule and damping 0 and 0.1, and example 2 at 0.1.
-    The paper's rule needs damping 0.7 to stay whole. First failure comes later with G_f, and
-    damage comes before it: this is no way to the paper's step numbers."""
+    First failure comes later with G_f, and damage comes before it: this is no way to the paper's
+    step numbers."""
     yield from elements(study)
     if not short:
         yield from plates(study)
@@ -100,7 +100,7 @@ def elements(study):
 def plate(cell, energy):
     slot = (f'[[flaw]]\nshape = "slot"\ncenter = [0.0, 0.0]\nlength = {2.0 * NOTCH!r}\n'
             f"width = {2.0 * cell!r}\n")
-    duration = 0.7e-3 if energy else 0.45e-3
+    duration = 0.7e-3 if energy else 0.4e-3
     return (block(cell, (WIDTH, 2.0 * WIDTH), slot, SOFTENING.format(energy=energy))
             + platens(["top", "bottom"], -0.005, 1e-4)
             + TIME.format(duration=duration, damping=0.1))
@@ -178,10 +178,10 @@ def paths(study):
 RULES = (("paper", "the paper's rule", ()),
          ("gf", "G_f = 1 J/m2", ("material.rock.failure.fracture_energy=1.0",
                                  "material.rock.failure.shear_fracture_energy=10.0")))
-# example, file, steps at factor 0.4, dampings: to closures 0.021, 0.026 and 0.0058 mm
-EXAMPLE_RUNS = (("example 1", "single_flaw", 28000, (0.0, 0.1)),
+# example, file, steps at factor 0.4, dampings
+EXAMPLE_RUNS = (("example 1", "single_flaw", 24000, (0.0, 0.1)),
                 ("example 2", "double_flaw", 25000, (0.1,)),
-                ("example 3", "brazilian_disk", 20000, (0.0, 0.1)))
+                ("example 3", "brazilian_disk", 40000, (0.0, 0.1)))
 
 
 def run_to_end(study, name, *arguments):
