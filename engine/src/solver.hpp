@@ -29,6 +29,11 @@ class Solver {
 
   /// One step; the integrators differ in where strains come from (Case::time).
   void step();
+  /// What step() starts with where the step before could not do it: mass, acceleration and velocity
+  /// of the nodes in now() (USF: mass and momentum). A caller who calls it may add to these what
+  /// a case cannot express, such as a body force that varies in space; step() takes them as they
+  /// are.
+  void prepare();
   /// Sorts the particles into bins anew; step() does it when one has drifted too far from its bin.
   void rebin();
 
@@ -46,6 +51,8 @@ class Solver {
   /// To read, and to change before rebin().
   Particles<Dim>& particles() { return particles_; }
   Grid<Dim>& grid() { return grid_; }
+  /// The layer of the grid that the next step starts from.
+  const kernels::GridView<Dim>& now() const { return layers_[layer_]; }
   std::size_t memory_bytes() const;
 
  private:
@@ -53,7 +60,6 @@ class Solver {
   using View = kernels::GridView<Dim>;
 
   // Phases of a step; each returns when all bands are done.
-  void prepare();
   void accelerate();
   void strain_and_move();
   void accelerate_strain_and_move();
@@ -67,7 +73,6 @@ class Solver {
   template <typename Work>
   void over_bands(Stage stage, Work work);
 
-  const View& now() const { return layers_[layer_]; }
   const View& next() const { return layers_[1 - layer_]; }
   double end_of_step(std::int64_t step) const { return dt_ * static_cast<double>(step) + dt_; }
 
