@@ -19,7 +19,8 @@
 /// onto that direction, P = (s - s2 I)(s - s3 I) / ((s1 - s2)(s1 - s3)) = n n^T, gives
 /// |n_i| = sqrt(P_ii), so h = L (sqrt(P_xx) + sqrt(P_yy) + sqrt(P_zz)), at most sqrt(3) L; where
 /// s1 = s2 no direction is marked and h = L, as here where r = 0. A band in shear runs along
-/// neither principal direction: h = L.
+/// neither principal direction: h = L. In plane strain a tensile s1 lies in the plane, as
+/// s_zz = nu (s_xx + s_yy).
 ///
 /// Particles hold the nominal stress, from which s is recovered, so that everything else that reads
 /// stresses need not know of damage.
