@@ -179,7 +179,7 @@ RULES = (("paper", "the paper's rule", ()),
          ("gf", "G_f = 1 J/m2", ("material.rock.failure.fracture_energy=1.0",
                                  "material.rock.failure.shear_fracture_energy=10.0")))
 # example, file, steps at factor 0.4, dampings
-EXAMPLE_RUNS = (("example 1", "single_flaw", 24000, (0.0, 0.1)),
+EXAMPLE_RUNS = (("example 1", "single_flaw", 36000, (0.0, 0.1)),
                 ("example 2", "double_flaw", 25000, (0.1,)),
                 ("example 3", "brazilian_disk", 40000, (0.0, 0.1)))
 
