@@ -79,8 +79,7 @@ class Growth {
  public:
   Growth(const std::vector<FailedParticle>& failed, const CrackScale& scale)
       : failed_(failed),
-        // One cell for the layer and one for a crack that crosses it obliquely.
-        mouth_(2.0 * scale.cell_size),
+        two_cells_(2.0 * scale.cell_size),
         neighbours_(failed, kReach * scale.pitch),
         connections_(failed.size()) {}
 
@@ -101,6 +100,7 @@ class Growth {
         spread(next);
       }
     }
+    find_outlines();
   }
 
   CrackGrowth result() const {
@@ -130,13 +130,15 @@ class Growth {
   struct Mouth {
     std::size_t source;
     std::size_t particle;  // the first one out
+    bool is_outline = false;
   };
 
-  /// Of those that leave the layer at a source, the first whose mouth a particle lies in.
+  /// Of those that leave the layer at a source, the first whose mouth a particle lies in: within
+  /// two cells, one for the layer and one for a crack that crosses it obliquely.
   std::optional<std::size_t> find_crack(std::size_t source, std::size_t particle) const {
     const auto found = std::find_if(mouths_.begin(), mouths_.end(), [&](const Mouth& mouth) {
       const Vector apart = failed_[mouth.particle].position - failed_[particle].position;
-      return mouth.source == source && apart.norm() <= mouth_;
+      return !mouth.is_outline && mouth.source == source && apart.norm() <= two_cells_;
     });
     return found == mouths_.end() ? std::nullopt
                                   : std::optional<std::size_t>(found - mouths_.begin());
@@ -148,6 +150,28 @@ class Growth {
       mouths_.push_back({exit.source, exit.particle});
     }
     return crack.value_or(mouths_.size() - 1);
+  }
+
+  /// The steps of an oblique face on the grid may stick out of the layer; what never gets two cells
+  /// from its flaw, nor to a crack of another, is no crack yet.
+  void find_outlines() {
+    std::vector<char> is_crack(mouths_.size(), 0);
+    for (std::size_t p = 0; p < failed_.size(); ++p) {
+      if (!connections_[p] || !connections_[p]->crack) {
+        continue;
+      }
+      bool counts = failed_[p].distance > two_cells_;
+      neighbours_.for_each(p, [&](std::size_t other) {
+        counts =
+            counts || (connections_[other] && connections_[other]->flaw != connections_[p]->flaw);
+      });
+      if (counts) {
+        is_crack[*connections_[p]->crack] = 1;
+      }
+    }
+    for (std::size_t crack = 0; crack < mouths_.size(); ++crack) {
+      mouths_[crack].is_outline = is_crack[crack] == 0;
+    }
   }
 
   /// Cracks leave a flaw's layer but do not run along in it.
@@ -164,10 +188,13 @@ class Growth {
   /// None: an outline of a flaw, or connected to none.
   std::optional<std::size_t> crack_of(std::size_t particle) const {
     const auto& connection = connections_[particle];
-    if (!connection || connection->crack) {
-      return connection ? connection->crack : std::nullopt;
+    if (!connection) {
+      return std::nullopt;
     }
-    return find_crack(connection->source, particle);
+    if (!connection->crack) {
+      return find_crack(connection->source, particle);
+    }
+    return mouths_[*connection->crack].is_outline ? std::nullopt : connection->crack;
   }
 
   /// Cracks meet out of the layers, or where one comes to the layer of another flaw.
@@ -177,8 +204,9 @@ class Growth {
     if (!one || !other || one->source == other->source) {
       return false;
     }
-    return (one->crack && other->crack) ||
-           ((one->crack || other->crack) && one->flaw != other->flaw);
+    const bool out = crack_of(a) && one->crack;
+    const bool other_out = crack_of(b) && other->crack;
+    return (out && other_out) || ((out || other_out) && one->flaw != other->flaw);
   }
 
   CrackPlace place_of(std::size_t particle) const {
@@ -209,7 +237,7 @@ class Growth {
   }
 
   const std::vector<FailedParticle>& failed_;
-  double mouth_;  // m, from the first particle out: how wide a crack is where it leaves a layer
+  double two_cells_;  // m
   Neighbours neighbours_;
   std::priority_queue<Connection, std::vector<Connection>, std::greater<>> queue_;
   std::vector<std::optional<Connection>> connections_;

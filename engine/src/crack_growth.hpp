@@ -14,6 +14,7 @@ namespace rgimp {
 struct FailedParticle {
   std::int64_t step = 0;
   Vector position = Vector::Zero();   ///< m, at step 0
+  double distance = 0.0;              ///< m, from the nearest flaw
   std::optional<std::size_t> flaw;    ///< within one cell of it; none: farther
   std::optional<std::size_t> source;  ///< the nearest CrackSource of that flaw
 };
@@ -25,7 +26,7 @@ struct CrackScale {
 
 struct Crack {
   std::size_t source = 0;
-  std::vector<CrackParticle> particles;  ///< in the order of `step`
+  std::vector<CrackParticle> particles;  ///< in the order of `step`; none: a flaw's outline only
 };
 
 /// A crack, or the failed outline of a flaw at a source.

@@ -45,7 +45,10 @@ std::vector<FailedParticle> failed_particles(const Case& settings, const Particl
   std::sort(rows.begin(), rows.end(), earlier);
   std::vector<FailedParticle> failed;
   for (const std::size_t row : rows) {
-    failed.push_back({particles.failure_step[row], seeds[particles.id[row]].position, {}, {}});
+    FailedParticle particle;
+    particle.step = particles.failure_step[row];
+    particle.position = seeds[particles.id[row]].position;
+    failed.push_back(particle);
   }
   return failed;
 }
@@ -62,13 +65,16 @@ double finest_pitch(const Case& settings) {
 void assign_sources(const Case& settings, const std::vector<CrackSource>& sources,
                     std::vector<FailedParticle>& failed) {
   for (FailedParticle& particle : failed) {
-    double nearest_flaw = settings.grid.cell_size;
+    particle.distance = std::numeric_limits<double>::infinity();
     for (std::size_t f = 0; f < settings.flaws.size(); ++f) {
       const double distance = distance_to(settings.flaws[f], particle.position);
-      if (distance <= nearest_flaw) {
-        nearest_flaw = distance;
+      if (distance < particle.distance) {
+        particle.distance = distance;
         particle.flaw = f;
       }
+    }
+    if (particle.distance > settings.grid.cell_size) {
+      particle.flaw.reset();
     }
     double nearest_source = std::numeric_limits<double>::infinity();
     for (std::size_t s = 0; s < sources.size(); ++s) {
@@ -105,7 +111,7 @@ std::vector<std::string> crack_names(const std::vector<CrackSource>& sources,
   std::vector<int> count(sources.size());
   std::vector<std::string> names;
   for (const Crack& crack : cracks) {
-    const int number = ++count[crack.source];
+    const int number = crack.particles.empty() ? 0 : ++count[crack.source];
     names.push_back(sources[crack.source].name + (number > 1 ? fmt::format("{}", number) : ""));
   }
   return names;
@@ -118,7 +124,7 @@ std::vector<Wing> collect_wings(const std::vector<CrackSource>& sources,
   for (std::size_t s = 0; s < sources.size(); ++s) {
     bool cracked = false;
     for (std::size_t c = 0; c < cracks.size(); ++c) {
-      if (cracks[c].source == s) {
+      if (cracks[c].source == s && !cracks[c].particles.empty()) {
         cracked = true;
         wings.push_back({names[c], sources[s].flaw, sources[s].position, cracks[c].particles});
       }

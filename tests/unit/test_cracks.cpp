@@ -127,6 +127,15 @@ TEST_CASE("what fails along a slot's faces or away from flaws is no crack") {
   CHECK(cracks.events.empty());
 }
 
+TEST_CASE("a step of an oblique face that sticks out of the layer is no crack") {
+  const Case settings = block_with({flat_slot(0.0, 0.0)});
+  ParticleTable table = intact(settings);
+  add({{0.1e-3, 0.6e-3, 0.0}, 90.0, 0.7e-3, 100}, table);  // to 0.8 mm, 1.6 cells, from the face
+  const Cracks cracks = trace_cracks(settings, table);
+  CHECK(cracks.outline == static_cast<std::size_t>(failed_count(table)));
+  CHECK(cracks.events.empty());
+}
+
 TEST_CASE("an outlined face does not join the wings of its tips") {
   const Case settings = block_with({flat_slot(0.0, 0.0)});
   ParticleTable table = intact(settings);

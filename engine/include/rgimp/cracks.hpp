@@ -11,9 +11,10 @@
 #include "rgimp/simulation.hpp"
 
 /// Cracks measured on the particles. A crack is what leaves the layer of one cell around a flaw as
-/// a chain of failed particles. Everything is measured where the particles were at step 0, so that
-/// a crack that opens stays one, and follows from the steps at which particles failed: one state at
-/// the end of a run holds the history of every step before.
+/// a chain of failed particles, and gets two cells from the flaw or to another one's crack.
+/// Everything is measured where the particles were at step 0, so that a crack that opens stays one,
+/// and follows from the steps at which particles failed: one state at the end of a run holds the
+/// history of every step before.
 namespace rgimp {
 
 /// A failed particle of a wing.
@@ -47,9 +48,9 @@ struct CrackEvent {
 struct Cracks {
   std::vector<Wing> wings;  ///< of every slot tip, cracked or not; of other places if cracked
   std::vector<CrackEvent> events;  ///< in order of step
-  std::size_t outline = 0;    ///< failed within one cell of a flaw, but not where a crack leaves it
-  std::size_t elsewhere = 0;  ///< failed, connected to no flaw
-  std::optional<int> load_axis;  ///< 0 x, 1 y: the platens' direction; none without platens
+  std::size_t outline = 0;         ///< failed along faces of flaws, in no crack
+  std::size_t elsewhere = 0;       ///< failed, connected to no flaw
+  std::optional<int> load_axis;    ///< 0 x, 1 y: the platens' direction; none without platens
 };
 
 /// How far a wing has come.
