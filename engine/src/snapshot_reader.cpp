@@ -106,6 +106,7 @@ ParticleTable read_snapshot(const std::filesystem::path& path, std::size_t parti
   for (const std::uint8_t mode : modes) {
     table.failed.push_back(static_cast<FailureMode>(mode));
   }
+  reader.read("VTKHDF/PointData/damage", table.damage);
   reader.read("VTKHDF/PointData/failure_step", table.failure_step);
   check_values(reader, table);
   return table;

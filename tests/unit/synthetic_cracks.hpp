@@ -36,6 +36,7 @@ inline ParticleTable intact(const Case& settings) {
   table.velocity.resize(table.size());
   table.stress.resize(table.size());
   table.max_principal_stress.resize(table.size());
+  table.damage.resize(table.size());
   table.failed.resize(table.size(), FailureMode::intact);
   table.failure_step.resize(table.size(), -1);
   return table;

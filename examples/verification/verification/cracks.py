@@ -33,9 +33,9 @@ class Cracks:
         return self.wings[name]["front"][0]["step"] if name in self.wings else None
 
     def sides(self, *names):
-        """Sides of the bodies that wings reach, in order of time: "top, bottom"."""
-        return ", ".join(dict.fromkeys(event["side"] for event in self.events
-                                       if event["side"] and event["wing"] in names))
+        """Sides of the bodies that wings reach: "bottom, top"; "none"."""
+        return ", ".join(sorted({event["side"] for event in self.events
+                                 if event["side"] and event["wing"] in names})) or "none"
 
     def arrival(self, name, side):
         """Step, or None."""
