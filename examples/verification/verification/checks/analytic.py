@@ -19,7 +19,7 @@ DIAMETER = 40e-3
 HALF_WIDTHS = (1e-3, 2e-3, 3e-3)
 SHORT_CELL, CELL = 0.5e-3, 0.25e-3
 
-BLOCK = f"""
+BODY = f"""
 title = "a slipping block, loaded slowly"
 [grid]
 cell_size = 0.5e-3
@@ -29,6 +29,21 @@ center = [0.0, 0.0]
 size = [5e-3, {HEIGHT}]
 material = "rock"
 {MATERIAL}"""
+BLOCK = BODY + """
+[[platen]]
+side = "top"
+speed = 0.01
+ramp = 2e-5
+[[platen]]
+side = "bottom"
+speed = 0.01
+ramp = 2e-5
+[time]
+steps = 6000
+step_factor = 0.4
+[damping]
+local = 0.7
+"""
 DISK = f"""
 title = "an intact disk between short platens"
 [grid]
@@ -59,7 +74,7 @@ def analytic(study, short):
 
 
 def modulus(study):
-    run = study.run("block", BLOCK + Loading(2e-5, 4.6e-4, 0.01, 0.4, 0.7).text())
+    run = study.run("block", BLOCK)
     last = {name: column[-1] for name, column in run.history.items()}
     stress = run.snapshot()["stress"].mean(axis=0)
     yield Row("slipping block", "plane-strain modulus", "GPa",
@@ -74,7 +89,7 @@ def strength(study):
     for name, loading, sign, expected, source in (
             ("pressed", PRESS, 1.0, compression, "2c·cos φ / (1 − sin φ)"),
             ("pulled", PULL, -1.0, TENSILE_STRENGTH, "σ_t")):
-        run = study.run(name, BLOCK + FAILURE + loading.text())
+        run = study.run(name, BODY + FAILURE + loading.text())
         first = run.summary["first_failure"]
         yield Row(f"block, {name}", "axial stress at the first failure", "MPa",
                   sign * first["axial_stress_Pa"] * 1e-6 if first else np.nan, expected * 1e-6,
