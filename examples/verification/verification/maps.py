@@ -2,6 +2,7 @@
 
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 
 def draw_fields(path, x, y, fields, title, unit):
@@ -19,7 +20,7 @@ def draw_fields(path, x, y, fields, title, unit):
                             extent=1e3 * np.array([x.min(), x.max(), y.min(), y.max()]))
         axes.set(title=name, xlabel="mm")
         figure.colorbar(image, ax=axes, orientation="horizontal", shrink=0.8, label=unit,
-                        extend="both")
+                        extend="both", ticks=MaxNLocator(4))
     figure.suptitle(title)
     figure.savefig(path, dpi=80)
 
