@@ -67,7 +67,8 @@ class PageTest(unittest.TestCase):
             report.write_page(Path(folder), {"one": check})
             page = (Path(folder) / "RESULTS.md").read_text(encoding="utf-8")
             kept = json.loads((Path(folder) / "results/one.json").read_text(encoding="utf-8"))
-        self.assertIn("1 met, 1 missed, 1 reported.", page)
+        self.assertIn("| [First check](#one) | 1 | 1 | 1 |", page)
+        self.assertIn("| **all** | 1 | 1 | 1 |", page)
         self.assertIn("| case | quantity, Pa | ≤ 3 | source | 9 |  |  | **missed** |", page)
         self.assertNotIn("verdict", kept["rows"][0])  # never typed, never kept
 

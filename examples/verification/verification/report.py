@@ -1,9 +1,9 @@
 """Rows kept as JSON, one file a check, and the page made of all of them."""
 
 import dataclasses
+import inspect
 import json
 import platform
-import textwrap
 from datetime import date
 
 from .table import ABSOLUTE, AT_LEAST, AT_MOST, INSIDE, RELATIVE, REPORT, Row
@@ -39,25 +39,35 @@ def processor():
 
 def write_page(folder, checks):
     """RESULTS.md, of all checks whose rows are kept."""
-    sections, totals = [], {"met": 0, "missed": 0, "reported": 0}
-    for check in checks.values():
-        path = folder / "results" / f"{check.name}.json"
+    kept = {}
+    for name, check in checks.items():
+        path = folder / "results" / f"{name}.json"
         if path.exists():
-            kept = json.loads(path.read_text(encoding="utf-8"))
-            rows = [Row(**row) for row in kept["rows"]]
-            for row in rows:
-                totals[row.verdict] += 1
-            sections.append(section(folder, check, kept, rows))
-    counts = f"{totals['met']} met, {totals['missed']} missed, {totals['reported']} reported.\n\n"
-    (folder / "RESULTS.md").write_text(HEADER + counts + "\n".join(sections), encoding="utf-8")
+            record = json.loads(path.read_text(encoding="utf-8"))
+            kept[name] = (check, record, [Row(**row) for row in record["rows"]])
+    overview = ["| check | met | missed | reported |", "|---|---:|---:|---:|"]
+    for check, _, rows in kept.values():
+        overview.append(f"| [{check.title}](#{check.name}) | {count(rows)} |")
+    everything = [row for _, _, rows in kept.values() for row in rows]
+    overview.append(f"| **all** | {count(everything)} |")
+    sections = [section(folder, *entry) for entry in kept.values()]
+    (folder / "RESULTS.md").write_text(HEADER + "\n".join(overview) + "\n\n" + "\n".join(sections),
+                                       encoding="utf-8")
+
+
+def count(rows):
+    verdicts = [row.verdict for row in rows]
+    return " | ".join(str(verdicts.count(verdict)) for verdict in ("met", "missed", "reported"))
 
 
 def section(folder, check, kept, rows):
-    lines = [f"## {check.title}", "", textwrap.dedent(check.text).strip(), "",
+    lines = [f'<a id="{check.name}"></a>', "", f"## {check.title}", "",
+             inspect.cleandoc(check.text), "",
              "| case | quantity | reference | source | result | error | allowed | verdict |",
              "|---|---|---:|---|---:|---:|---:|---|"]
     lines += [markdown_row(row) for row in rows]
-    notes = list(dict.fromkeys(f"- {row.case}, {row.quantity}: {row.note}" for row in rows if row.note))
+    notes = list(dict.fromkeys(f"- {row.case}, {row.quantity}: {row.note}"
+                               for row in rows if row.note))
     lines += ["", *notes] if notes else []
     for picture in sorted((folder / "pictures").glob(f"{check.name}*.png")):
         lines += ["", f"![{check.title}](pictures/{picture.name})"]
@@ -68,8 +78,9 @@ def section(folder, check, kept, rows):
 
 def markdown_row(row):
     unit = f", {row.unit}" if row.unit not in ("", "1") else ""
+    verdict = f"**{row.verdict}**" if row.verdict == "missed" else row.verdict
     cells = [row.case, row.quantity + unit, reference_of(row), row.source, number(row.result),
-             error_of(row), allowed(row), f"**{row.verdict}**" if row.verdict == "missed" else row.verdict]
+             error_of(row), allowed(row), verdict]
     return "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |"
 
 
