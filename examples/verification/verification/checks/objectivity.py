@@ -20,7 +20,7 @@ SHIFTS = (0.0, 0.125, 0.25, 0.375)  # cells
 DISK_ANGLES = (0, 15, 30, 45, 60, 90)  # degrees from the load
 PLATE_ANGLES = (0, 15, 30, 45)  # degrees from the grid
 SIZES = (1e-3, 0.5e-3, 0.25e-3)
-SECONDS_BLOCK, SECONDS_PLATE, SECONDS_DISK = 1.05e-3, 0.6e-3, 1.55e-3
+SECONDS_BLOCK, SECONDS_PLATE, SECONDS_DISK = 1.05e-3, 0.3e-3, 1.55e-3
 
 PLATE = """
 title = "a square plate pulled alike along x and y, with a slot in its middle"
