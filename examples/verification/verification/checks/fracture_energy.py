@@ -66,7 +66,7 @@ def fracture_energy(study, short):
 
     Examples 1 and 3 at step factor 0.4 with each rule and damping 0 and 0.1, and example 2 at 0.1.
     First failure comes later with G_f, and damage comes before it: this is no way to the paper's
-    step numbers. Last, example 1 with G_f in finer cells: it has not converged."""
+    step numbers. Last, example 1 with G_f in cells of half the size."""
     yield from elements(study)
     if not short:
         yield from plates(study)
