@@ -87,12 +87,6 @@ class Study:
         self.used.append(run.summary)
         return run
 
-    def failed_run(self, name, case, *overrides):
-        """The last line of stderr of a run that must be refused, or stop; None where it ends well."""
-        directory = self.runs / self.name / name
-        done = self._start(self.build / "bin/rgimp", directory, case, overrides)
-        return done.stderr.strip().splitlines()[-1] if done.returncode else None
-
     def lines(self, program, *arguments):
         """JSON lines that a program of the build prints, one dictionary a line."""
         path = self.build / program

@@ -5,7 +5,7 @@ from math import atan2, cos, degrees, radians, sin
 import numpy as np
 from matplotlib.figure import Figure
 
-from .. import cohesive, table
+from .. import cohesive, finite_elements, table
 from ..registry import check
 from ..study import EXAMPLES, Run, StudyError
 from ..table import Row
@@ -18,13 +18,7 @@ STRENGTH, ENERGY = 2e6, 1.0  # Pa, J/m2
 WIDTH, NOTCH = 50e-3, 7.5e-3  # m, of the plate; half the crack
 SLOT = 12e-3  # m, of the plate pulled on all sides
 
-MATERIAL = """
-material = "rock"
-[material.rock]
-density = 2600.0
-youngs_modulus = 17e9
-poisson_ratio = 0.14
-"""
+MATERIAL = '\nmaterial = "rock"' + finite_elements.MATERIAL
 SOFTENING = """
 [material.rock.failure]
 criterion = "principal-stress"

@@ -7,6 +7,7 @@ from math import cos, hypot, radians, sin
 from matplotlib.figure import Figure
 
 from .. import table
+from ..finite_elements import FAILURE, MATERIAL
 from ..registry import check
 from ..study import EXAMPLES
 from ..table import Row
@@ -37,16 +38,7 @@ center = [0.0, 0.0]
 length = 10e-3
 width = 1.5e-3
 ends = "round"
-[material.rock]
-density = 2600.0
-youngs_modulus = 17e9
-poisson_ratio = 0.14
-[material.rock.failure]
-criterion = "mohr-coulomb"
-cohesion = 5.95e6
-friction_angle = 40.0
-tensile_strength = 2e6
-[time]
+""" + MATERIAL.lstrip() + FAILURE.lstrip() + """[time]
 duration = 1e-3
 step_factor = 0.4
 [damping]
