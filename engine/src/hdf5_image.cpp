@@ -10,6 +10,9 @@ namespace rgimp {
 
 namespace {
 
+/// The library's one variable of the whole process, as HDF5 is one library of the whole process.
+std::mutex hdf5_mutex;
+
 /// HDF5's innermost complaint: the one that holds the system's reason.
 std::string last_complaint() {
   std::string text;
@@ -54,13 +57,21 @@ void write_text(hid_t owner, const std::string& name, std::string_view text) {
   require(H5Awrite(attribute.get(), type.get(), text.data()), action);
 }
 
+/// Without the time of day, which HDF5 notes by default: equal runs write equal bytes.
+Hdf5Handle timeless() {
+  constexpr std::string_view action = "leave the time out of HDF5 data";
+  Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, action);
+  require(H5Pset_obj_track_times(properties.get(), 0), action);
+  return properties;
+}
+
 Hdf5Handle create_in_memory() {
   constexpr std::string_view action = "build an HDF5 file in memory";
   constexpr std::size_t growth = std::size_t{1} << 22;
   constexpr hbool_t written_by_hdf5 = 0;
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, action);
   require(H5Pset_fapl_core(access.get(), growth, written_by_hdf5), action);
-  return {H5Fcreate("image", H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose, action};
+  return {H5Fcreate("rgimp image", H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose, action};
 }
 
 }  // namespace
@@ -81,12 +92,12 @@ Hdf5Handle::~Hdf5Handle() {
 Hdf5Handle::Hdf5Handle(Hdf5Handle&& other) noexcept
     : id_(std::exchange(other.id_, H5I_INVALID_HID)), release_(other.release_) {}
 
-Hdf5Silence::Hdf5Silence() {
+Hdf5Access::Hdf5Access() : alone_(hdf5_mutex) {
   H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-Hdf5Silence::~Hdf5Silence() {
+Hdf5Access::~Hdf5Access() {
   H5Eset_auto2(H5E_DEFAULT, function_, data_);
 }
 
@@ -115,8 +126,9 @@ void Hdf5Group::write_dataset(const std::string& name, std::string_view units,
                               const Hdf5Table& table) const {
   const std::string action = fmt::format("write dataset '{}'", name);
   const Hdf5Handle space = create_space(table);
+  const Hdf5Handle properties = timeless();
   const Hdf5Handle dataset(H5Dcreate2(group_.get(), name.c_str(), table.type, space.get(),
-                                      H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                                      H5P_DEFAULT, properties.get(), H5P_DEFAULT),
                            H5Dclose, action);
   write_text(dataset.get(), "units", units);
   require(H5Dwrite(dataset.get(), table.type, H5S_ALL, H5S_ALL, H5P_DEFAULT, table.data), action);

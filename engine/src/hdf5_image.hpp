@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <mutex>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,15 +30,18 @@ class Hdf5Handle {
   Release release_;
 };
 
-/// While it lives HDF5 prints no error stacks: failures become exceptions instead.
-class Hdf5Silence {
+/// The right to use HDF5, whoever holds handles holds one: other threads of this library wait, as
+/// HDF5 need not be built for threads and knows files in memory by one name. While it lives HDF5
+/// prints no error stacks: failures become exceptions instead.
+class Hdf5Access {
  public:
-  Hdf5Silence();
-  ~Hdf5Silence();
-  Hdf5Silence(const Hdf5Silence&) = delete;
-  Hdf5Silence& operator=(const Hdf5Silence&) = delete;
+  Hdf5Access();
+  ~Hdf5Access();
+  Hdf5Access(const Hdf5Access&) = delete;
+  Hdf5Access& operator=(const Hdf5Access&) = delete;
 
  private:
+  std::lock_guard<std::mutex> alone_;
   H5E_auto2_t function_ = nullptr;
   void* data_ = nullptr;
 };
@@ -103,7 +107,7 @@ class Hdf5Image {
   std::string_view bytes() const;
 
  private:
-  Hdf5Silence silence_;
+  Hdf5Access access_;
   Hdf5Handle file_;
 };
 

@@ -66,7 +66,7 @@ class SnapshotReader {
     }
   }
 
-  Hdf5Silence silence_;
+  Hdf5Access access_;
   std::string path_;
   std::size_t particles_;
   Hdf5Handle file_;

@@ -2,12 +2,17 @@
 
 #include <array>
 #include <catch2/catch.hpp>
+#include <chrono>
+#include <future>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "rgimp/error.hpp"
 #include "snapshot.hpp"
+#include "snapshot_reader.hpp"
 #include "temporary_directory.hpp"
 
 namespace {
@@ -153,6 +158,32 @@ TEST_CASE("a snapshot holds every column of the particles, bit for bit") {
   CHECK(reader.text_attribute("VTKHDF/PointData/velocity", "units") == "m/s");
   CHECK(reader.text_attribute("VTKHDF/PointData/stress", "units") == "Pa");
   CHECK(reader.text_attribute("VTKHDF/PointData/failed", "units") == "1");
+}
+
+TEST_CASE("snapshots of equal particles are equal files, whenever they are written") {
+  const TemporaryDirectory directory;
+  write_snapshot(directory / "one", three_particles(), {5, 0.25});
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // HDF5 tells the time in seconds
+  write_snapshot(directory / "other", three_particles(), {5, 0.25});
+  CHECK((read_text(directory / "one") == read_text(directory / "other")));  // no binary output
+}
+
+TEST_CASE("threads of one process write and read snapshots side by side") {
+  const TemporaryDirectory directory;
+  write_snapshot(directory / "alone", three_particles(), {5, 0.25});
+  const auto write_and_read = [&](const char* name) {
+    for (int repeat = 0; repeat < 50; ++repeat) {
+      write_snapshot(directory / name, three_particles(), {5, 0.25});
+      if (read_snapshot(directory / name, 3).failure_step != three_particles().failure_step) {
+        throw std::logic_error("another snapshot than the one written");
+      }
+    }
+  };
+  auto other = std::async(std::launch::async, write_and_read, "other");
+  CHECK_NOTHROW(write_and_read("one"));
+  CHECK_NOTHROW(other.get());
+  CHECK(read_text(directory / "one") == read_text(directory / "alone"));
+  CHECK(read_text(directory / "other") == read_text(directory / "alone"));
 }
 
 TEST_CASE("a snapshot that cannot be written leaves nothing and names the file") {
