@@ -8,7 +8,7 @@ packages=(
   g++ cmake ninja-build pkg-config
   # libraries
   libeigen3-dev libtbb-dev libxsimd-dev libhdf5-dev libtomlplusplus-dev libcli11-dev libfmt-dev
-  nlohmann-json3-dev
+  nlohmann-json3-dev libxxhash-dev
   # tests and benchmarks
   catch2 libbenchmark-dev python3-vtk9
   # pictures

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 
 #include "column.hpp"
 #include "geometry.hpp"
@@ -39,10 +40,24 @@ class Grid {
   void clear_second_field(kernels::RowRange rows);
   std::size_t memory_bytes() const;
 
+  /// Calls visit(name, field) for what a step that is prepared in `layer` starts from.
+  template <typename Visit>
+  void for_each_prepared_field(int layer, Visit visit) {
+    visit("node mass", mass_);
+    for (int a = 0; a < Dim; ++a) {
+      visit(axis_name("node momentum", a), momentum_[layer][a]);
+      visit(axis_name("node force", a), force_[layer][a]);
+      visit(axis_name("node second field", a), second_field_[a]);
+    }
+  }
+
  private:
   static constexpr std::ptrdiff_t kHalo = 8;  // readable doubles around each field
   using Field = Column<double>;
 
+  static std::string axis_name(const char* field, int axis) {
+    return std::string(field) + " " + "xyz"[axis];
+  }
   void clear_rows(Field& field, kernels::RowRange rows);
 
   std::array<GridExtent, 2> extent_;  // by layer

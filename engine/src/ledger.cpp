@@ -81,4 +81,33 @@ bool Ledger::is_finite() const {
          std::isfinite(budget_.viscous_work) && std::isfinite(budget_.released_energy);
 }
 
+std::vector<double> Ledger::pending() const {
+  std::vector<double> values;
+  for (std::size_t row = 0; row < nodes_.size(); ++row) {
+    values.push_back(nodes_[row].damping_work);
+    values.push_back(nodes_[row].body_force_work);
+    values.push_back(platen_sums_[row].work);
+    values.insert(values.end(), platen_sums_[row].reaction.begin(),
+                  platen_sums_[row].reaction.end());
+  }
+  return values;
+}
+
+bool Ledger::set_pending(const std::vector<double>& values) {
+  if (values.size() != nodes_.size() * (3 + platens_.size()) ||
+      reaction_of_platen_.size() != platens_.size()) {
+    return false;
+  }
+  auto value = values.begin();
+  for (std::size_t row = 0; row < nodes_.size(); ++row) {
+    nodes_[row].damping_work = *value++;
+    nodes_[row].body_force_work = *value++;
+    platen_sums_[row].work = *value++;
+    for (double& reaction : platen_sums_[row].reaction) {
+      reaction = *value++;
+    }
+  }
+  return true;
+}
+
 }  // namespace rgimp

@@ -43,6 +43,26 @@ class Ledger {
   /// Whether all sums are numbers. A node's velocity that is none reaches the damping work.
   bool is_finite() const;
 
+  /// Calls visit(name, number) for all that is summed over steps, and of the last step.
+  template <typename Visit>
+  void for_each_total(Visit visit) {
+    visit("external work", budget_.external_work);
+    visit("damping work", budget_.damping_work);
+    visit("viscous work", budget_.viscous_work);
+    visit("released energy", budget_.released_energy);
+    visit("reactions", reaction_of_platen_);
+    visit("peak axial stress", peak_axial_stress_);
+    visit("failed in tension", failed_tension_);
+    visit("failed in shear", failed_shear_);
+    visit("farthest", farthest_);
+    visit("largest speed", max_speed_);
+  }
+  /// What the rows of nodes have reported and add_nodes() has not added yet, for a checkpoint; a
+  /// row after the other: the works, then the reactions.
+  std::vector<double> pending() const;
+  /// Takes what pending() gave; false where that, or a total taken before, is of another case.
+  bool set_pending(const std::vector<double>& values);
+
  private:
   bool is_on_load_axis(const Platen& platen) const;
 

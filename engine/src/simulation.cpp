@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "case_of_state.hpp"
+#include "checkpoint_file.hpp"
 #include "rgimp/case_file.hpp"
 #include "rgimp/error.hpp"
 #include "solver.hpp"
@@ -76,6 +78,19 @@ class Simulation::Implementation {
     return row;
   }
 
+  void save(const std::filesystem::path& path, std::string_view note) {
+    CheckpointWriter checkpoint(path, solver_.steps_done());
+    solver_.save(checkpoint);
+    checkpoint.finish({case_of_state(settings_), std::string(note)});
+  }
+
+  std::string restore(const std::filesystem::path& path) {
+    const CheckpointReader checkpoint(path.string(), read_bytes(path));
+    require_same_case(settings_, checkpoint.label().case_text, path.string());
+    solver_.restore(checkpoint);
+    return checkpoint.label().note;
+  }
+
   Solver<2>& solver() { return solver_; }
   const Case& settings() const { return settings_; }
 
@@ -109,6 +124,12 @@ void Simulation::step() {
 }
 void Simulation::run_until(std::int64_t step) {
   implementation_->run_until(step);
+}
+void Simulation::save(const std::filesystem::path& path, std::string_view note) const {
+  implementation_->save(path, note);
+}
+std::string Simulation::restore(const std::filesystem::path& path) {
+  return implementation_->restore(path);
 }
 std::int64_t Simulation::steps_done() const {
   return implementation_->solver().steps_done();

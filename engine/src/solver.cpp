@@ -75,11 +75,8 @@ Solver<Dim>::Solver(const Case& settings, kernels::Isa isa, Workers& workers)
   for (int layer = 0; layer < 2; ++layer) {
     place_layer(layer, 0);
   }
-  update_ = {.dt = dt_,
-             .step = 0,
-             .materials = materials_.data(),
-             .sums = ledger_.particles(),
-             .reach = ledger_.reach()};
+  update_.dt = dt_;
+  update_.materials = materials_.data();
   rebin();
   rebins_ = 0;
 }
@@ -289,9 +286,16 @@ void Solver<Dim>::rebin() {
   } catch (const PhysicsError& error) {
     throw PhysicsError(fmt::format("step {}: {}", steps_done_, error.what()));
   }
-  p_ = particles_.view();
+  attach_particles();
   is_prepared_ = false;
   ++rebins_;
+}
+
+template <int Dim>
+void Solver<Dim>::attach_particles() {
+  p_ = particles_.view();
+  update_.sums = ledger_.particles();
+  update_.reach = ledger_.reach();
 }
 
 template <int Dim>

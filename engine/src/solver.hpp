@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bands.hpp"
+#include "checkpoint_file.hpp"
 #include "grid.hpp"
 #include "grid_motion.hpp"
 #include "ledger.hpp"
@@ -55,6 +56,12 @@ class Solver {
   const kernels::GridView<Dim>& now() const { return layers_[layer_]; }
   std::size_t memory_bytes() const;
 
+  /// Writes all that the steps after this one depend on.
+  void save(CheckpointWriter& checkpoint);
+  /// Takes what save() wrote, of a solver of the same case. Throws FileError where it cannot be
+  /// such a state; then this one is as it was.
+  void restore(const CheckpointReader& checkpoint);
+
  private:
   using Range = kernels::RowRange;
   using View = kernels::GridView<Dim>;
@@ -78,6 +85,13 @@ class Solver {
 
   /// Puts a layer where the grid is after `step` steps.
   void place_layer(int layer, std::int64_t step);
+  // Parts of restore().
+  Particles<Dim> read_particles(const CheckpointReader& checkpoint) const;
+  Ledger read_ledger(const CheckpointReader& checkpoint) const;
+  Grid<Dim> read_grid(const CheckpointReader& checkpoint) const;
+
+  /// Points the views at the columns that there are now.
+  void attach_particles();
   void finish_step();
   void note_first_failure();
   void stop_if_unphysical() const;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -85,6 +86,15 @@ class Simulation {
   void step();
   /// Steps until `step` steps are done; nothing happens when they are. Throws PhysicsError.
   void run_until(std::int64_t step);
+
+  /// Writes a checkpoint: the whole state, from which a simulation of the same case goes on to the
+  /// same bits. The file is there whole, and on disk, or not at all. `note` comes back with it.
+  /// Throws FileError.
+  void save(const std::filesystem::path& path, std::string_view note = {}) const;
+  /// Takes the state of a checkpoint and returns its note. Throws FileError for a file that cannot
+  /// be read, is damaged or of another format, CaseError for one of another case (its output,
+  /// tuning and number of steps may differ); then this simulation is as it was.
+  std::string restore(const std::filesystem::path& path);
 
   std::int64_t steps_done() const;
   double time() const;  ///< s

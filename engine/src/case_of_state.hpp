@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "rgimp/case.hpp"
+
+namespace rgimp {
+
+/// The case as far as a state depends on it, as TOML: without title, output and tuning, and
+/// whatever its number of steps, so that a run can go on further or with other threads.
+std::string case_of_state(Case settings);
+
+/// Throws CaseError naming the first line in which a checkpoint's case_of_state() is another.
+void require_same_case(const Case& settings, std::string_view text_of_checkpoint,
+                       std::string_view checkpoint);
+
+}  // namespace rgimp
