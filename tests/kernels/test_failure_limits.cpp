@@ -93,6 +93,20 @@ TEST_CASE("Mohr-Coulomb's corner, where tension and shear are met together, is t
   require_mode(material, {minor * over, 0.0, before(major), 0.0}, kFailedInShear);
 }
 
+// A tensile strength near the apex of Mohr-Coulomb's cone, 7.09 MPa, lets shear come first.
+TEST_CASE("Mohr-Coulomb fails in shear under mean tension too") {
+  Material material = mohr_coulomb_rock();
+  material.failure->tensile_strength = 7e6;
+  const double angle = 40.0 * std::numbers::pi / 180.0;
+  const double centre = 1e6;
+  const double radius = 5.95e6 * std::cos(angle) - centre * std::sin(angle);
+  for (const double factor : {1.0 - 1e-12, 1.0 + 1e-12}) {
+    const double r = radius * factor;
+    require_mode(material, {centre + r, centre - r, 0.0, 0.0},
+                 factor > 1.0 ? kFailedInShear : kIntact);
+  }
+}
+
 TEST_CASE("the stress out of the plane counts for the other criteria as well") {
   const double modulus = rock().youngs_modulus;
   const double ratio = rock().poisson_ratio;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -107,6 +108,32 @@ TEST_CASE("gradients are those of Eq. 18, and sum to zero") {
       sum += view.force[0][n];
     }
     REQUIRE(std::abs(sum) / scale < 1e-14);
+  });
+}
+
+// sigma less the viscous pressure, with the slopes along both axes.
+TEST_CASE("a node's force is -(V sigma - V q I) grad S") {
+  const double stress[2][2] = {{3.0, -1.5}, {-1.5, -2.0}};
+  on_every_isa_and_place([&](const kernels::KernelTable<2>& k, Drifted& one) {
+    one.set_stress({stress[0][0], stress[1][1], 7.0, stress[0][1]});
+    const double pressure = 0.8;
+    one.particles().viscous_energy[one.lane()] = pressure * one.volume();
+    one.grid().clear({0, one.grid().rows()});
+    k.scatter_all(one.particles().view(), one.grid().view(), {1, 16});
+    const kernels::GridView<2> view = one.grid().view();
+    const double scale = one.volume() / OneParticle::kCell;
+    double worst = 0.0;
+    for (std::ptrdiff_t n = 0; n < one.grid().rows() * one.grid().row_stride(); ++n) {
+      const Vector away = one.at - one.grid().position(n) / OneParticle::kCell;
+      const double slope[2] = {eq_18_slope(away.x(), one.half) * eq_18(away.y(), one.half),
+                               eq_18(away.x(), one.half) * eq_18_slope(away.y(), one.half)};
+      for (int a = 0; a < 2; ++a) {
+        const double pull = stress[a][0] * slope[0] + stress[a][1] * slope[1];
+        const double expected = -scale * (pull - pressure * slope[a]);
+        worst = std::max(worst, std::abs(view.force[a][n] - expected) / scale);
+      }
+    }
+    REQUIRE(worst < 1e-12);
   });
 }
 

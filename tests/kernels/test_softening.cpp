@@ -12,6 +12,7 @@ namespace rgimp::tests {
 namespace {
 
 using kernels::Isa;
+using Stress = std::array<double, 4>;  // xx, yy, zz, xy
 
 constexpr double kModulus = 17e9 * 0.86 / (1.14 * 0.72);  // lambda + 2 mu
 constexpr double kShearModulus = 17e9 / 2.28;
@@ -198,6 +199,22 @@ TEST_CASE("without an energy of its own the other mode fails at once") {
     REQUIRE(one.mode() == kernels::kFailedInShear);
     REQUIRE(one.stress()[0] == Approx(-20e6).epsilon(1e-12));
     REQUIRE(one.stress()[3] == 0.0);
+  });
+}
+
+// Pure shear pulls along a diagonal, where the band is wider than a cell.
+TEST_CASE("tension without an energy of its own fails at once, along a diagonal too") {
+  Material material = softening_rock();
+  material.failure->fracture_energy = 0.0;
+  on_each_isa([&](Isa isa) {
+    for (const Stress& stress : {Stress{2.5e6, 0.0, 0.0, 0.0}, Stress{0.0, 0.0, 0.0, 2.5e6}}) {
+      OneParticle one(material);
+      one.set_stress(stress);
+      one.strain({}, kDt, isa);
+      REQUIRE(one.mode() == kernels::kFailedInTension);
+      REQUIRE(one.damage() == 1.0);
+      REQUIRE(one.stress() == Stress{0.0, 0.0, 0.0, 0.0});
+    }
   });
 }
 

@@ -69,6 +69,7 @@ class OneParticle {
     return sums[8];
   }
 
+  const kernels::MaterialConstants& material() const { return constants_; }
   Particles<2>& particles() { return particles_; }
   Grid<2>& grid() { return grid_; }
   std::size_t lane() const { return lane_; }

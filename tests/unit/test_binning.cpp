@@ -68,6 +68,7 @@ TEST_CASE("binning puts each particle, with all it carries, in a lane of its nea
         REQUIRE(ids.insert(particles.id[i]).second);
         REQUIRE(particles.position[0][i] == seed.position.x());
         REQUIRE(particles.volume[i] == seed.volume);
+        REQUIRE(particles.failure_step[i] == -1);
         REQUIRE(particles.slot_material[slot] == seed.material);
         REQUIRE(away <= (0.5 + 1e-12) * kCell);
       }

@@ -1,0 +1,127 @@
+"""A copy of the sources with a build folder that stays warm, and the tests run there."""
+
+import html
+import re
+import shutil
+import subprocess
+import sys
+import time
+from dataclasses import dataclass
+
+from table import ROOT
+
+# The test programs, from the fastest to the slowest.
+PROGRAMS = ("binning", "parallel", "failure", "geometry", "case_file", "output", "shape",
+            "conservation", "kernels", "platens", "cracking", "elastic", "determinism")
+# What the build reads, but for the sources of other programs.
+COPIED = ("CMakeLists.txt", "engine/**/*", "kernels/**/*", "tests/**/*", "examples/*.toml")
+# Compiling the kernels takes most of a mutant's time, so it is done once: the units of the other
+# instruction sets hand out AVX2's table. Two batches a group there, so parts of a group count.
+UNIT = """#include "rgimp/kernels/isa_tables.hpp"
+namespace rgimp::kernels {{
+const KernelTable<2> {table} = kAvx2Kernels2;
+}}
+"""
+STAND_INS = {"kernels/src/isa_baseline.cpp": UNIT.format(table="kBaselineKernels2"),
+             "kernels/src/isa_avx512.cpp": UNIT.format(table="kAvx512Kernels2")}
+
+
+class BrokenBuild(Exception):
+    """The sources do not compile."""
+
+
+@dataclass(frozen=True)
+class Result:
+    """What a test program said: `failed` names its first failing case, empty if all passed."""
+    failed: str
+    seconds: float
+
+
+def write_if_changed(path, content):
+    """Leaves what is the same alone, so that it is not built again."""
+    if not path.is_file() or path.read_bytes() != content:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
+
+
+class Scratch:
+    def __init__(self, folder, jobs):
+        self.source = folder / "source"
+        self.build = folder / "build"
+        self.jobs = jobs
+        self.limit = {}  # seconds a program may take
+        self.patched = {}  # file -> what it was
+
+    def copy_sources(self):
+        wanted = {str(path.relative_to(ROOT)) for pattern in COPIED for path in ROOT.glob(pattern)
+                  if path.is_file() and "__pycache__" not in path.parts}
+        for name in wanted:
+            content = STAND_INS.get(name, "").encode() or (ROOT / name).read_bytes()
+            write_if_changed(self.source / name, content)
+        for path in self.source.rglob("*"):
+            if path.is_file() and str(path.relative_to(self.source)) not in wanted:
+                path.unlink()
+
+    def configure(self):
+        generator = ["-G", "Ninja"] if shutil.which("ninja") else []
+        subprocess.run(["cmake", *generator, "-S", self.source, "-B", self.build,
+                        "-DCMAKE_BUILD_TYPE=Release", "-DRGIMP_BUILD_BENCH=OFF",
+                        "-DRGIMP_BUILD_EXAMPLES=OFF", "-DRGIMP_INSTALL=OFF"],
+                       check=True, stdout=subprocess.DEVNULL)
+
+    def patch(self, edits):
+        """The sources with these edits and no others."""
+        content = dict(self.patched)
+        self.patched = {}
+        for edit in edits:
+            if edit.file not in content:
+                content[edit.file] = (self.source / edit.file).read_text(encoding="utf-8")
+            self.patched.setdefault(edit.file, content[edit.file])
+            content[edit.file] = content[edit.file].replace(edit.old, edit.new)
+        for name, text in content.items():
+            write_if_changed(self.source / name, text.encode("utf-8"))
+
+    def compile(self, program):
+        done = subprocess.run(["cmake", "--build", self.build, "-j", str(self.jobs), "--target",
+                               f"test_{program}"], capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            raise BrokenBuild("\n".join(line for line in done.stdout.split("\n")
+                                        if "error" in line.lower())[:400] or done.stdout[-400:])
+
+    def run(self, program):
+        limit = self.limit.get(program)
+        start = time.monotonic()
+        try:
+            done = subprocess.run([self.build / f"tests/test_{program}", "--abort", "-r", "xml"],
+                                  cwd=self.build, capture_output=True, text=True, check=False,
+                                  timeout=limit, errors="replace")
+        except subprocess.TimeoutExpired as late:
+            output = (late.stdout or b"").decode("utf-8", "replace")
+            return Result(f"{last_case(output)} (over {limit:.0f} s)", limit)
+        seconds = time.monotonic() - start
+        return Result("" if done.returncode == 0 else last_case(done.stdout), seconds)
+
+    def first_failure(self, programs):
+        """The program and case that fail first; None if all pass."""
+        for program in programs:
+            self.compile(program)
+            result = self.run(program)
+            if result.failed:
+                return program, result.failed
+        return None
+
+    def check_unchanged(self):
+        """All pass as they are; sets what a mutant may take, a hang's limit."""
+        self.patch(())
+        for program in PROGRAMS:
+            self.compile(program)
+            result = self.run(program)
+            if result.failed:
+                sys.exit(f"error: without a mutant test_{program} fails: {result.failed}")
+            self.limit[program] = 30.0 + 20.0 * result.seconds
+
+
+def last_case(xml):
+    """The case that ran when a program stopped at its first failure."""
+    names = re.findall(r'<TestCase name="([^"]*)"', xml)
+    return html.unescape(names[-1]) if names else "before the first case"
