@@ -10,6 +10,7 @@
 
 #include "crack_table.hpp"
 #include "format.hpp"
+#include "interruption.hpp"
 #include "messages.hpp"
 #include "progress_display.hpp"
 #include "rgimp/rgimp.hpp"
@@ -17,6 +18,8 @@
 namespace rgimp::cli {
 
 namespace {
+
+constexpr int kStoppedBySignal = 128;  // plus the signal's number, as shells have it
 
 /// Snapshots listed past the new end go: a short trial of a long case is no error.
 void set_steps(Case& settings, std::int64_t steps) {
@@ -82,7 +85,8 @@ void print_results(const Simulation& simulation, const Progress& progress,
              fmt::format("{} in tension, {} in shear", with_separators(row.failed_tension),
                          with_separators(row.failed_shear)));
   if (progress.seconds > 0.0) {
-    const double work = static_cast<double>(progress.particles) * static_cast<double>(row.step);
+    const double work = static_cast<double>(progress.particles) *
+                        static_cast<double>(row.step - progress.first_step);
     print_line("speed", fmt::format("{} in {}", describe_speed(work / progress.seconds),
                                     format_duration(progress.seconds)));
     print_line("of that", describe(simulation.stage_times()));
@@ -108,6 +112,15 @@ double time_steps(Simulation& simulation) {
          static_cast<double>(std::max<std::int64_t>(1, simulation.steps_done() - first));
 }
 
+RunEnd run_to_end(Simulation& simulation, const RunOptions& options) {
+  try {
+    return run_case(simulation, options);
+  } catch (const PhysicsError& error) {
+    throw PhysicsError(fmt::format("{} (see '{}' for the results up to step {})", error.what(),
+                                   options.directory.string(), simulation.steps_done()));
+  }
+}
+
 std::string describe_grid(const Facts& facts, const Case& settings) {
   const auto& nodes = facts.nodes;
   const std::string depth = settings.dimension == 3 ? fmt::format(" x {}", nodes[2]) : "";
@@ -117,10 +130,12 @@ std::string describe_grid(const Facts& facts, const Case& settings) {
 
 }  // namespace
 
-void run(const RunArguments& arguments) {
+int run(const RunArguments& arguments) {
+  const Interruption interruption;
   RunOptions options;
   options.directory = arguments.directory.value_or(arguments.input.file.stem());
   options.existing = arguments.existing;
+  options.stop_requested = [&] { return interruption.signal().has_value(); };
   Simulation simulation(load(arguments.input));
   const bool quiet = arguments.verbosity == Verbosity::quiet;
   ProgressDisplay display;
@@ -131,16 +146,21 @@ void run(const RunArguments& arguments) {
       display.show(progress);
     }
   };
-  try {
-    run_case(simulation, options);
-  } catch (const PhysicsError& error) {
-    throw PhysicsError(fmt::format("{} (see '{}' for the results up to step {})", error.what(),
-                                   options.directory.string(), simulation.steps_done()));
-  }
+  options.on_notice = [&](const std::string& notice) {
+    display.clear();
+    print_notice(notice);
+  };
+  const RunEnd end = run_to_end(simulation, options);
   display.clear();
-  if (!quiet) {
+  if (end == RunEnd::stopped) {
+    print_notice(fmt::format("stopped at step {} with a checkpoint in '{}'; go on with --resume",
+                             with_separators(simulation.steps_done()), options.directory.string()));
+    return kStoppedBySignal + interruption.signal().value_or(0);
+  }
+  if (end == RunEnd::finished && !quiet) {
     print_results(simulation, latest, options.directory);
   }
+  return 0;
 }
 
 void check(const CaseArguments& arguments) {

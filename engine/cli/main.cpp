@@ -56,16 +56,21 @@ void add_case_options(CLI::App& command, CaseArguments& arguments) {
       ->check(at_least(0));
 }
 
-void add_run(CLI::App& app, RunArguments& arguments) {
+void add_run(CLI::App& app, RunArguments& arguments, int& exit_code) {
   CLI::App* command = app.add_subcommand("run", "Run a case and write its output directory");
   add_case_options(*command, arguments.input);
   command
       ->add_option("-o,--output", arguments.directory,
                    "Output directory, the case file's name without its ending by default")
       ->type_name("DIR");
-  command->add_flag_callback(
+  CLI::Option* force = command->add_flag_callback(
       "--force", [&arguments] { arguments.existing = rgimp::ExistingOutput::replace; },
       "Replace the results in an output directory that is not empty; other files in it stay");
+  command
+      ->add_flag_callback(
+          "--resume", [&arguments] { arguments.existing = rgimp::ExistingOutput::resume; },
+          "Go on from the newest checkpoint in the output directory; from step 0 if there is none")
+      ->excludes(force);
   command->add_flag_callback(
       "--quiet", [&arguments] { arguments.verbosity = Verbosity::quiet; },
       "Show no progress and no results; errors and warnings still go to stderr");
@@ -73,8 +78,11 @@ void add_run(CLI::App& app, RunArguments& arguments) {
       "Examples:\n"
       "  rgimp run single_flaw.toml\n"
       "  rgimp run single_flaw.toml -o out/fine --set grid.cell_size=0.25e-3 --threads 8\n"
-      "  rgimp run single_flaw.toml --force --set time.integrator=usl --steps 1000");
-  command->callback([&arguments] { run(arguments); });
+      "  rgimp run single_flaw.toml --force --set time.integrator=usl --steps 1000\n"
+      "  rgimp run single_flaw.toml --resume\n"
+      "\n"
+      "SIGINT (Ctrl-C) and SIGTERM end a run with a checkpoint; --resume goes on from there.");
+  command->callback([&arguments, &exit_code] { exit_code = run(arguments); });
 }
 
 void add_check(CLI::App& app, CaseArguments& arguments) {
@@ -123,7 +131,8 @@ void describe_app(CLI::App& app) {
       "  rgimp run --help                  options of a subcommand\n"
       "\n"
       "Exit codes: 0 done, 2 wrong command line or case, 3 the physics stopped the run,\n"
-      "4 a file or directory could not be read or written, 1 anything unexpected.\n"
+      "4 a file or directory could not be read or written, 130 and 143 stopped by SIGINT and\n"
+      "SIGTERM, 1 anything unexpected.\n"
       "RGIMP_ISA chooses the instruction set (see rgimp info).");
 }
 
@@ -133,7 +142,8 @@ int parse_and_run(int argc, char** argv) {
                "rgimp");
   describe_app(app);
   RunArguments run_arguments;
-  add_run(app, run_arguments);
+  int exit_code = kDone;
+  add_run(app, run_arguments, exit_code);
   CaseArguments check_arguments;
   add_check(app, check_arguments);
   CracksArguments cracks_arguments;
@@ -152,7 +162,7 @@ int parse_and_run(int argc, char** argv) {
     std::fputs(app.help().c_str(), stderr);
     return kWrongRequest;
   }
-  return kDone;
+  return exit_code;
 }
 
 }  // namespace

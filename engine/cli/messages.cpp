@@ -14,4 +14,8 @@ void print_warning(std::string_view message) {
   fmt::print(stderr, "rgimp: warning: {}\n", message);
 }
 
+void print_notice(std::string_view message) {
+  fmt::print(stderr, "rgimp: {}\n", message);
+}
+
 }  // namespace rgimp::cli

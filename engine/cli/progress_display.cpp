@@ -44,14 +44,14 @@ int percent_of(const Progress& progress) {
 }  // namespace
 
 std::string describe(const Progress& progress) {
-  const auto step = static_cast<double>(progress.step);
+  const auto steps = static_cast<double>(progress.step - progress.first_step);
   std::string text = fmt::format("{}/{} steps", with_separators(progress.step),
                                  with_separators(progress.total_steps));
-  if (progress.step > 0 && progress.seconds > 0.0) {
-    const double speed = static_cast<double>(progress.particles) * step / progress.seconds;
-    const double steps_left = static_cast<double>(progress.total_steps) - step;
+  if (steps > 0.0 && progress.seconds > 0.0) {
+    const double speed = static_cast<double>(progress.particles) * steps / progress.seconds;
+    const auto steps_left = static_cast<double>(progress.total_steps - progress.step);
     text += fmt::format("  {:.1f} M particle-steps/s  {} left", speed * 1e-6,
-                        format_duration(progress.seconds / step * steps_left));
+                        format_duration(progress.seconds / steps * steps_left));
   }
   return text + fmt::format("  {} failed", with_separators(progress.failed));
 }

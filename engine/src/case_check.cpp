@@ -208,10 +208,6 @@ std::vector<std::string> warn_of_output(const Case& settings) {
         settings.source, "output.snapshot_steps",
         fmt::format("no snapshot of {}; the last step is {}", fmt::join(beyond, ", "), last)));
   }
-  if (output.checkpoint_every) {
-    warnings.push_back(complaint(settings.source, "output.checkpoint_every",
-                                 "has no effect; this version does not write checkpoints yet"));
-  }
   return warnings;
 }
 

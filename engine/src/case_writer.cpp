@@ -198,7 +198,7 @@ void write_output(CaseWriter& writer, const OutputSettings& output) {
   writer.line("history_every", output.history_every, "steps");
   writer.line("snapshot_every", output.snapshot_every, "steps", "no regular snapshots");
   writer.line("snapshot_steps", output.snapshot_steps, "besides the first and the last");
-  writer.line("checkpoint_every", output.checkpoint_every, "steps", "no checkpoints");
+  writer.line("checkpoint_every", output.checkpoint_every, "steps", "every ten minutes");
 }
 
 }  // namespace

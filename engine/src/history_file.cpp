@@ -2,7 +2,35 @@
 
 #include <fmt/format.h>
 
+#include <system_error>
+#include <utility>
+
+#include "atomic_file.hpp"
+#include "checkpoint_file.hpp"
+#include "rgimp/error.hpp"
+
 namespace rgimp {
+
+namespace {
+
+/// Returns `path` once the file is as it was at `past`.
+const std::filesystem::path& cut_back(const std::filesystem::path& path,
+                                      const HistoryFile::Extent& past) {
+  const std::string bytes = read_bytes(path);
+  if (bytes.size() < past.bytes ||
+      checksum_of(std::string_view(bytes).substr(0, past.bytes)) != past.checksum) {
+    throw FileError(fmt::format("'{}' is no longer what it was when the checkpoint was written",
+                                path.string()));
+  }
+  std::error_code error;
+  std::filesystem::resize_file(path, past.bytes, error);
+  if (error) {
+    throw FileError(fmt::format("cannot write '{}': {}", path.string(), error.message()));
+  }
+  return path;
+}
+
+}  // namespace
 
 std::string format_history_row(const HistoryRow& row) {
   return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}", row.step, row.time, row.closure,
@@ -11,13 +39,31 @@ std::string format_history_row(const HistoryRow& row) {
                      row.failed_tension, row.failed_shear);
 }
 
-HistoryFile::HistoryFile(const std::filesystem::path& path) : stream_(path) {
-  stream_.write(fmt::format("{}\n", kHistoryHeader));
+HistoryFile::HistoryFile(std::filesystem::path path)
+    : path_(std::move(path)), stream_(path_, OutputStream::Start::empty) {
+  write(fmt::format("{}\n", kHistoryHeader));
+}
+
+HistoryFile::HistoryFile(std::filesystem::path path, const Extent& past)
+    : path_(std::move(path)), stream_(cut_back(path_, past), OutputStream::Start::at_end) {
+  checksum_.add(read_bytes(path_));
+  bytes_ = past.bytes;
 }
 
 void HistoryFile::append(const HistoryRow& row) {
-  stream_.write(format_history_row(row) + "\n");
+  write(format_history_row(row) + "\n");
   stream_.flush();
+}
+
+void HistoryFile::write(std::string_view text) {
+  stream_.write(text);
+  checksum_.add(text);
+  bytes_ += text.size();
+}
+
+HistoryFile::Extent HistoryFile::sync() const {
+  sync_to_disk(path_);
+  return {bytes_, checksum_.value()};
 }
 
 }  // namespace rgimp

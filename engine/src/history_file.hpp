@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
 
+#include "checksum.hpp"
 #include "output_stream.hpp"
 #include "rgimp/simulation.hpp"
 
@@ -21,13 +23,29 @@ std::string format_history_row(const HistoryRow& row);
 /// leaves all its rows. Throws FileError.
 class HistoryFile {
  public:
-  explicit HistoryFile(const std::filesystem::path& path);
+  /// How far the file goes, and a checksum of all of that.
+  struct Extent {
+    std::uint64_t bytes = 0;
+    std::uint64_t checksum = 0;
+  };
+
+  explicit HistoryFile(std::filesystem::path path);
+  /// Goes on with a file of an earlier run, cut back to `past`. Throws FileError, and leaves it
+  /// alone, where it is shorter or another one up to there.
+  HistoryFile(std::filesystem::path path, const Extent& past);
 
   void append(const HistoryRow& row);
+  /// Returns when all is on disk.
+  Extent sync() const;
   void close() { stream_.close(); }
 
  private:
+  void write(std::string_view text);
+
+  std::filesystem::path path_;
   OutputStream stream_;
+  Checksum checksum_;
+  std::uint64_t bytes_ = 0;
 };
 
 }  // namespace rgimp

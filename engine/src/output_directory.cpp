@@ -1,9 +1,13 @@
 #include "output_directory.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <system_error>
 #include <utility>
 
@@ -40,8 +44,11 @@ bool is_one_of(const fs::path& file, const std::array<std::string_view, Count>& 
   return std::find(names.begin(), names.end(), final_name(file)) != names.end();
 }
 
+constexpr std::array<std::string_view, 2> kCheckpoints{"checkpoint_a.rgimp", "checkpoint_b.rgimp"};
+
 bool is_top_file(const fs::path& file) {
-  constexpr std::array<std::string_view, 3> names{"case.toml", "history.csv", "summary.json"};
+  constexpr std::array<std::string_view, 5> names{"case.toml", "history.csv", "summary.json",
+                                                  kCheckpoints[0], kCheckpoints[1]};
   return is_one_of(file, names);
 }
 
@@ -99,6 +106,21 @@ void NewDirectories::create(const fs::path& directory) {
   }
 }
 
+DirectoryLock::~DirectoryLock() {
+  if (descriptor_) {
+    close(*descriptor_);
+  }
+}
+
+void DirectoryLock::take(const fs::path& directory) {
+  descriptor_ = open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  // File systems that cannot lock are no reason not to run.
+  if (flock(*descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    throw CaseError(
+        fmt::format("another run is at work in output directory '{}'", directory.string()));
+  }
+}
+
 OutputDirectory::OutputDirectory(fs::path path, ExistingOutput existing) : path_(std::move(path)) {
   if (path_.empty()) {
     throw CaseError("the output directory has no name");
@@ -107,15 +129,19 @@ OutputDirectory::OutputDirectory(fs::path path, ExistingOutput existing) : path_
     if (fs::exists(path_) && !fs::is_directory(path_)) {
       fail(path_, std::make_error_code(std::errc::not_a_directory));
     }
-    if (fs::exists(path_) && !fs::is_empty(path_)) {
-      if (existing == ExistingOutput::refuse) {
-        throw CaseError(fmt::format(
-            "output directory '{}' is not empty: choose another one, or replace its results with "
-            "--force",
-            path_.string()));
-      }
-      remove_own_files(path_);
+    const bool is_used = fs::exists(path_) && !fs::is_empty(path_);
+    if (is_used && existing == ExistingOutput::refuse) {
+      throw CaseError(fmt::format(
+          "output directory '{}' is not empty: choose another one, go on with its run with "
+          "--resume, or replace its results with --force",
+          path_.string()));
     }
+    new_directories_.create(path_);
+    lock_.take(path_);
+    if (is_used && existing == ExistingOutput::replace) {
+      clear();
+    }
+    kept_ = is_used && existing == ExistingOutput::resume;
     new_directories_.create(path_ / kSnapshots);
   } catch (const fs::filesystem_error& error) {
     fail(path_, error.code());
@@ -135,6 +161,35 @@ OutputDirectory::~OutputDirectory() {
 void OutputDirectory::keep() {
   kept_ = true;
   new_directories_.keep();
+}
+
+void OutputDirectory::clear() {
+  try {
+    remove_own_files(path_);
+  } catch (const fs::filesystem_error& error) {
+    fail(path_, error.code());
+  }
+}
+
+void OutputDirectory::go_back_to(std::int64_t step) {
+  const auto is_later = [step](const fs::path& file) {
+    return is_snapshot_file(file) && final_name(file) != kSeries &&
+           final_name(file) > snapshot_name(step);
+  };
+  const auto is_unfinished = [](const fs::path& file) {
+    return file.filename() == "summary.json" ||
+           (is_top_file(file) && file.filename() != final_name(file));
+  };
+  try {
+    remove_files(path_ / kSnapshots, is_later);
+    remove_files(path_, is_unfinished);
+  } catch (const fs::filesystem_error& error) {
+    fail(path_, error.code());
+  }
+}
+
+std::array<fs::path, 2> OutputDirectory::checkpoint_files() const {
+  return {path_ / kCheckpoints[0], path_ / kCheckpoints[1]};
 }
 
 fs::path OutputDirectory::snapshot_file(std::int64_t step) const {

@@ -16,6 +16,7 @@ OutputSchedule::OutputSchedule(const OutputSettings& settings, std::int64_t tota
     : total_steps_(total_steps),
       history_every_(settings.history_every),
       snapshot_every_(settings.snapshot_every),
+      checkpoint_every_(settings.checkpoint_every),
       snapshot_steps_(settings.snapshot_steps) {
   std::erase_if(snapshot_steps_, [total_steps](std::int64_t step) { return step > total_steps; });
   std::sort(snapshot_steps_.begin(), snapshot_steps_.end());
@@ -30,10 +31,17 @@ bool OutputSchedule::writes_snapshot(std::int64_t step) const {
          std::binary_search(snapshot_steps_.begin(), snapshot_steps_.end(), step);
 }
 
+bool OutputSchedule::writes_checkpoint(std::int64_t step) const {
+  return checkpoint_every_ && !is_end(step) && step % *checkpoint_every_ == 0;
+}
+
 std::int64_t OutputSchedule::next_stop(std::int64_t step) const {
   std::int64_t stop = std::min(total_steps_, next_multiple(step, history_every_));
   if (snapshot_every_) {
     stop = std::min(stop, next_multiple(step, *snapshot_every_));
+  }
+  if (checkpoint_every_) {
+    stop = std::min(stop, next_multiple(step, *checkpoint_every_));
   }
   const auto listed = std::upper_bound(snapshot_steps_.begin(), snapshot_steps_.end(), step);
   return listed == snapshot_steps_.end() ? stop : std::min(stop, *listed);

@@ -15,6 +15,8 @@ class OutputSchedule {
 
   bool writes_history(std::int64_t step) const;
   bool writes_snapshot(std::int64_t step) const;
+  /// Never the last step: nothing goes on from there.
+  bool writes_checkpoint(std::int64_t step) const;
   /// The first step after `step` where anything is written; the last step at most.
   std::int64_t next_stop(std::int64_t step) const;
 
@@ -24,6 +26,7 @@ class OutputSchedule {
   std::int64_t total_steps_;
   std::int64_t history_every_;
   std::optional<std::int64_t> snapshot_every_;
+  std::optional<std::int64_t> checkpoint_every_;
   std::vector<std::int64_t> snapshot_steps_;  // ascending
 };
 

@@ -10,8 +10,8 @@
 
 namespace rgimp {
 
-OutputStream::OutputStream(std::filesystem::path path)
-    : path_(std::move(path)), file_(std::fopen(path_.c_str(), "w")) {
+OutputStream::OutputStream(std::filesystem::path path, Start start)
+    : path_(std::move(path)), file_(std::fopen(path_.c_str(), start == Start::empty ? "w" : "a")) {
   if (!file_) {
     fail();
   }

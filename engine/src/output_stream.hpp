@@ -7,11 +7,14 @@
 
 namespace rgimp {
 
-/// A file being written, replaced if it exists. Every call throws FileError where the system
+/// A file being written. Every call throws FileError where the system
 /// refuses, with the file and the system's reason in the message.
 class OutputStream {
  public:
-  explicit OutputStream(std::filesystem::path path);
+  /// With what an existing file holds: nothing of it, or all.
+  enum class Start { empty, at_end };
+
+  explicit OutputStream(std::filesystem::path path, Start start = Start::empty);
 
   void write(std::string_view text);
   /// Hands everything written so far to the system, so that it outlives this process.

@@ -63,6 +63,8 @@ TEST_CASE("replacing deletes our own files and no others") {
                      "history.csv",
                      "summary.json",
                      "summary.json.tmp",
+                     "checkpoint_a.rgimp",
+                     "checkpoint_b.rgimp.tmp",
                      "pictures/crack.png",
                      "snapshots/step_000000000.vtkhdf",
                      "snapshots/step_000000100.vtkhdf.tmp",
@@ -70,7 +72,7 @@ TEST_CASE("replacing deletes our own files and no others") {
                      "snapshots/snapshots.vtkhdf.series"};
   const auto others = {"notes.txt",
                        "history.csv.bak",
-                       "checkpoint_1.h5",
+                       "checkpoint_c.rgimp",
                        "pictures/photo.png",
                        "crack.png",
                        "snapshots/view.pvsm",
@@ -111,4 +113,52 @@ TEST_CASE("directories created on the way to a failure go again") {
   const std::string too_long(300, 'x');  // longer than names may be
   CHECK_THROWS_AS(OutputDirectory(temporary / "a" / too_long, ExistingOutput::refuse), FileError);
   CHECK(fs::is_empty(temporary.path()));
+}
+
+TEST_CASE("a directory that is resumed keeps what it holds, also where the run never starts") {
+  const TemporaryDirectory temporary;
+  write_text(temporary / "history.csv", "step");
+  {
+    const OutputDirectory directory(temporary.path(), ExistingOutput::resume);
+    CHECK(fs::exists(temporary / "history.csv"));
+  }
+  CHECK(fs::exists(temporary / "history.csv"));
+}
+
+TEST_CASE("going back to a step removes what came later and what is unfinished") {
+  const TemporaryDirectory temporary;
+  fs::create_directory(temporary / "snapshots");
+  const auto later = {"summary.json", "history.csv.tmp", "checkpoint_a.rgimp.tmp",
+                      "snapshots/step_000000101.vtkhdf", "snapshots/step_000000300.vtkhdf.tmp"};
+  const auto stays = {"history.csv",
+                      "case.toml",
+                      "checkpoint_a.rgimp",
+                      "notes.tmp",
+                      "snapshots/step_000000100.vtkhdf",
+                      "snapshots/snapshots.vtkhdf.series"};
+  for (const std::string name : later) {
+    write_text(temporary / name, "");
+  }
+  for (const std::string name : stays) {
+    write_text(temporary / name, "");
+  }
+  OutputDirectory directory(temporary.path(), ExistingOutput::resume);
+  directory.go_back_to(100);
+  for (const std::string name : later) {
+    CHECK_FALSE(fs::exists(temporary / name));
+  }
+  for (const std::string name : stays) {
+    CHECK(fs::exists(temporary / name));
+  }
+}
+
+TEST_CASE("a directory belongs to one run at a time") {
+  const TemporaryDirectory temporary;
+  {
+    const OutputDirectory directory(temporary.path(), ExistingOutput::refuse);
+    CHECK_THROWS_WITH(OutputDirectory(temporary.path(), ExistingOutput::replace),
+                      Catch::Contains("another run is at work"));
+  }
+  const OutputDirectory directory(temporary.path(), ExistingOutput::replace);
+  CHECK(fs::exists(temporary / "snapshots"));
 }

@@ -116,7 +116,7 @@ struct OutputSettings {
   std::int64_t history_every = 100;              ///< steps; first and last step always
   std::optional<std::int64_t> snapshot_every;    ///< steps
   std::vector<std::int64_t> snapshot_steps;      ///< besides; step 0 and the last always
-  std::optional<std::int64_t> checkpoint_every;  ///< steps
+  std::optional<std::int64_t> checkpoint_every;  ///< steps; none: every ten minutes
 };
 
 /// Where a case came from, so that errors can name the line of a key ("flaw[0].width") or the

@@ -1,0 +1,100 @@
+#include "resume.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+#include "case_of_state.hpp"
+#include "checkpoint_file.hpp"
+#include "rgimp/case_file.hpp"
+#include "rgimp/error.hpp"
+
+namespace rgimp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Those that are there, the latest first; one that does not even tell its step is damaged, and
+/// comes before all others so that it is not passed over in silence.
+std::vector<fs::path> checkpoints_of(const OutputDirectory& directory) {
+  std::vector<fs::path> files;
+  for (const fs::path& file : directory.checkpoint_files()) {
+    if (fs::exists(file)) {
+      files.push_back(file);
+    }
+  }
+  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+    const auto step_a = claimed_step(a);
+    const auto step_b = claimed_step(b);
+    return step_a && step_b ? *step_a > *step_b : step_a.has_value() < step_b.has_value();
+  });
+  return files;
+}
+
+void refuse_past_end(const Simulation& simulation, const fs::path& checkpoint) {
+  const std::int64_t total = simulation.facts().total_steps;
+  if (simulation.steps_done() > total) {
+    throw CaseError(
+        fmt::format("'{}' is of step {} already; expected at least as many steps, not {}",
+                    checkpoint.string(), simulation.steps_done(), total));
+  }
+}
+
+/// The bits of a run are those of one kind of rounding.
+bool rounds_alike(const std::string& one, const std::string& other) {
+  const auto is_fused = [](const std::string& isa) { return isa == "avx2" || isa == "avx512"; };
+  return one == other || (is_fused(one) && is_fused(other));
+}
+
+}  // namespace
+
+bool is_finished(const OutputDirectory& directory, const Simulation& simulation) {
+  if (!fs::exists(directory.summary_file())) {
+    return false;
+  }
+  const auto summary = nlohmann::json::parse(read_bytes(directory.summary_file()), nullptr, false);
+  const auto steps = summary.is_object() ? summary.find("steps") : summary.end();
+  return steps != summary.end() && steps->is_number_integer() &&
+         *steps >= simulation.facts().total_steps;
+}
+
+void require_case_of(const OutputDirectory& directory, const Simulation& simulation) {
+  const fs::path file = directory.case_file();
+  if (fs::exists(file)) {
+    require_same_case(simulation.settings(), case_of_state(read_case(file)), file.string());
+  }
+}
+
+std::optional<Resumption> restore_newest(Simulation& simulation, OutputDirectory& directory,
+                                         const std::function<void(const std::string&)>& notice) {
+  const std::vector<fs::path> files = checkpoints_of(directory);
+  for (const fs::path& file : files) {
+    try {
+      const std::string note = simulation.restore(file);
+      refuse_past_end(simulation, file);
+      auto recorder = std::make_unique<Recorder>(simulation, directory, note);
+      const std::string isa = simulation.facts().isa;
+      if (!rounds_alike(recorder->past_isa(), isa)) {
+        notice(
+            fmt::format("the run was computed with {} and goes on with {}: its results may "
+                        "differ in round-off from one that was never interrupted",
+                        recorder->past_isa(), isa));
+      }
+      return Resumption{file, std::move(recorder)};
+    } catch (const FileError& error) {
+      notice(error.what());
+    }
+  }
+  if (!files.empty()) {
+    throw FileError(fmt::format(
+        "no checkpoint in '{}' can be used: start anew with --force, which replaces what is there",
+        directory.path().string()));
+  }
+  return std::nullopt;
+}
+
+}  // namespace rgimp

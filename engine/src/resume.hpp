@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "output_directory.hpp"
+#include "recorder.hpp"
+
+namespace rgimp {
+
+/// Whether a run in the directory has done all steps of the simulation's case already.
+bool is_finished(const OutputDirectory& directory, const Simulation& simulation);
+
+/// Throws CaseError where the directory holds the results of another case.
+void require_case_of(const OutputDirectory& directory, const Simulation& simulation);
+
+/// Where a run goes on.
+struct Resumption {
+  std::filesystem::path checkpoint;
+  std::unique_ptr<Recorder> recorder;
+};
+
+/// Restores the newest checkpoint of the directory that is whole and fits its history; none where
+/// there is no checkpoint at all. Each one that cannot be used is told to `notice`. Throws
+/// FileError where none of them can, CaseError for another case's and for one past the last step.
+std::optional<Resumption> restore_newest(Simulation& simulation, OutputDirectory& directory,
+                                         const std::function<void(const std::string&)>& notice);
+
+}  // namespace rgimp
