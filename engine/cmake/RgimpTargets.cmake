@@ -1,8 +1,9 @@
-# What every RGIMP target shares: warnings and sanitizers.
+# What every RGIMP target shares: warnings, sanitizers, and rounding after every operation: users'
+# flags (-march=native) would let compilers fuse some, each another choice, and change results.
 function(rgimp_configure target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-                                           -Wno-sign-conversion)
+                                           -Wno-sign-conversion -ffp-contract=off)
   if(RGIMP_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE -Werror)
   endif()

@@ -182,8 +182,8 @@ TEST_CASE("threads of one process write and read snapshots side by side") {
   auto other = std::async(std::launch::async, write_and_read, "other");
   CHECK_NOTHROW(write_and_read("one"));
   CHECK_NOTHROW(other.get());
-  CHECK(read_text(directory / "one") == read_text(directory / "alone"));
-  CHECK(read_text(directory / "other") == read_text(directory / "alone"));
+  CHECK((read_text(directory / "one") == read_text(directory / "alone")));
+  CHECK((read_text(directory / "other") == read_text(directory / "alone")));
 }
 
 TEST_CASE("a snapshot that cannot be written leaves nothing and names the file") {
