@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <chrono>
 #include <memory>
 #include <system_error>
@@ -21,10 +22,6 @@ namespace rgimp {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// Between checkpoints where the case does not say. One costs less than a second for ten million
-/// particles.
-constexpr std::chrono::minutes kCheckpointPace{10};
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -66,8 +63,10 @@ void protect_source(const Case& settings, const std::filesystem::path& directory
 /// Writes checkpoints into two files in turn.
 class Checkpoints {
  public:
-  Checkpoints(Simulation& simulation, const OutputDirectory& directory)
-      : simulation_(simulation), files_(directory.checkpoint_files()) {}
+  Checkpoints(Simulation& simulation, const RunOptions& options, const OutputDirectory& directory)
+      : simulation_(simulation),
+        pace_(options.checkpoint_pace),
+        files_(directory.checkpoint_files()) {}
 
   /// The next one replaces the other file.
   void keep(const std::filesystem::path& file) { next_ = file == files_[0] ? 1 : 0; }
@@ -75,7 +74,7 @@ class Checkpoints {
   bool is_due(const OutputSchedule& schedule) const {
     return simulation_.settings().output.checkpoint_every
                ? schedule.writes_checkpoint(simulation_.steps_done())
-               : Clock::now() - last_ >= kCheckpointPace;
+               : Clock::now() - last_ >= pace_;
   }
 
   void write(Recorder& recorder) {
@@ -86,6 +85,7 @@ class Checkpoints {
 
  private:
   Simulation& simulation_;
+  std::chrono::duration<double> pace_;
   std::array<std::filesystem::path, 2> files_;
   std::size_t next_ = 0;
   Clock::time_point last_ = Clock::now();
@@ -132,7 +132,7 @@ class Run {
         options_(options),
         directory_(directory),
         recorder_(std::move(recorder)),
-        checkpoints_(simulation, directory),
+        checkpoints_(simulation, options, directory),
         loop_(simulation, options) {}
 
   RunEnd compute() {

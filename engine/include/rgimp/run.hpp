@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -30,6 +31,8 @@ struct RunOptions {
   /// What a user should know and is no error: a damaged checkpoint, a start from step 0. May be
   /// empty.
   std::function<void(const std::string&)> on_notice;
+  /// Between checkpoints, in computing time, where OutputSettings::checkpoint_every is left out.
+  std::chrono::duration<double> checkpoint_pace = std::chrono::minutes(10);
   /// Asked a few times a second; true ends the run with a checkpoint. May be empty.
   std::function<bool()> stop_requested;
 };
@@ -38,13 +41,12 @@ struct RunOptions {
 enum class RunEnd { finished, stopped, was_finished };
 
 /// Runs a case to its end and writes its output directory: case.toml, history.csv, snapshots/,
-/// checkpoints, summary.json. Checkpoints come every OutputSettings::checkpoint_every steps, every
-/// ten minutes where that is left out, and when the run is stopped on request. A resumed run leaves
-/// the files of one that was never interrupted, but for the summary's times and threads.
-/// Throws CaseError where the directory is not empty and must be, where another run is at work in
-/// it, and where it holds another case's; FileError where it cannot be written or none of its
-/// checkpoints can be used; and passes PhysicsError on after the last snapshot, the history and the
-/// summary are written.
+/// checkpoints, summary.json. Checkpoints come at their pace, and when the run is stopped on
+/// request. A resumed run leaves the files of one that was never interrupted, but for the summary's
+/// times and threads. Throws CaseError where the directory is not empty and must be, where another
+/// run is at work in it, and where it holds another case's; FileError where it cannot be written or
+/// none of its checkpoints can be used; and passes PhysicsError on after the last snapshot, the
+/// history and the summary are written.
 RunEnd run_case(Simulation& simulation, const RunOptions& options);
 
 }  // namespace rgimp
