@@ -12,7 +12,10 @@ from table import ROOT
 
 # The test programs, from the fastest to the slowest.
 PROGRAMS = ("binning", "parallel", "failure", "geometry", "case_file", "output", "shape",
-            "conservation", "kernels", "platens", "cracking", "elastic", "determinism")
+            "conservation", "kernels", "platens", "cracking", "elastic", "determinism",
+            "checkpoint")
+# Slow tests of the command, for mutants that name them.
+SCRIPTS = {"resume": "tests/cli/test_resume.py"}
 # What the build reads, but for the sources of other programs.
 COPIED = ("CMakeLists.txt", "engine/**/*", "kernels/**/*", "tests/**/*", "examples/*.toml")
 # Compiling the kernels takes most of a mutant's time, so it is done once: the units of the other
@@ -83,23 +86,27 @@ class Scratch:
 
     def compile(self, program):
         done = subprocess.run(["cmake", "--build", self.build, "-j", str(self.jobs), "--target",
-                               f"test_{program}"], capture_output=True, text=True, check=False)
+                               "rgimp" if program in SCRIPTS else f"test_{program}"], capture_output=True, text=True, check=False)
         if done.returncode != 0:
             raise BrokenBuild("\n".join(line for line in done.stdout.split("\n")
                                         if "error" in line.lower())[:400] or done.stdout[-400:])
 
     def run(self, program):
-        limit = self.limit.get(program)
+        limit = self.limit.get(program, 600.0)
         start = time.monotonic()
         try:
-            done = subprocess.run([self.build / f"tests/test_{program}", "--abort", "-r", "xml"],
-                                  cwd=self.build, capture_output=True, text=True, check=False,
-                                  timeout=limit, errors="replace")
+            done = subprocess.run(self.command(program), cwd=self.build, stdout=subprocess.PIPE,
+                                  stderr=subprocess.STDOUT, check=False, timeout=limit)
         except subprocess.TimeoutExpired as late:
-            output = (late.stdout or b"").decode("utf-8", "replace")
-            return Result(f"{last_case(output)} (over {limit:.0f} s)", limit)
+            return Result(f"{last_case(late.stdout or b'')} (over {limit:.0f} s)", limit)
         seconds = time.monotonic() - start
         return Result("" if done.returncode == 0 else last_case(done.stdout), seconds)
+
+    def command(self, program):
+        if program in SCRIPTS:
+            return [sys.executable, "-B", self.source / SCRIPTS[program],
+                    self.build / "bin/rgimp", "-f", "-v"]
+        return [self.build / f"tests/test_{program}", "--abort", "-r", "xml"]
 
     def first_failure(self, programs):
         """The program and case that fail first; None if all pass."""
@@ -110,10 +117,10 @@ class Scratch:
                 return program, result.failed
         return None
 
-    def check_unchanged(self):
+    def check_unchanged(self, scripts):
         """All pass as they are; sets what a mutant may take, a hang's limit."""
         self.patch(())
-        for program in PROGRAMS:
+        for program in (*PROGRAMS, *scripts):
             self.compile(program)
             result = self.run(program)
             if result.failed:
@@ -121,7 +128,8 @@ class Scratch:
             self.limit[program] = 30.0 + 20.0 * result.seconds
 
 
-def last_case(xml):
-    """The case that ran when a program stopped at its first failure."""
-    names = re.findall(r'<TestCase name="([^"]*)"', xml)
-    return html.unescape(names[-1]) if names else "before the first case"
+def last_case(output):
+    """The case that ran when a program stopped at its first failure, of Catch2 or unittest."""
+    text = output.decode("utf-8", "replace")
+    names = re.findall(r'<TestCase name="([^"]*)"|^(test_\w+) \(', text, re.MULTILINE)
+    return html.unescape(names[-1][0] or names[-1][1]) if names else "before the first case"
