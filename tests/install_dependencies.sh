@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian packages RGIMP is built, tested and drawn with. Returns at once, without apt,
-# where they are all there.
+# where they are all there. Packages named as arguments, of stages outside the gate, come on top.
+# shellcheck source-path=SCRIPTDIR source=lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
 packages=(
@@ -13,6 +14,7 @@ packages=(
   catch2 libbenchmark-dev python3-vtk9
   # pictures
   python3 python3-numpy python3-h5py python3-matplotlib
+  "$@"
 )
 
 rgimp_step="Look up the installed packages"
