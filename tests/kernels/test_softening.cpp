@@ -149,6 +149,20 @@ TEST_CASE("a band along a cell's diagonal softens sooner") {
   });
 }
 
+// Mohr's circle is a point: no direction in the plane is the band's.
+TEST_CASE("a band under equal tension on all sides is one cell wide") {
+  on_each_isa([](Isa isa) {
+    OneParticle one(softening_rock());
+    const double kappa = 1.5;
+    one.set_stress({kappa * kStrength, kappa * kStrength, 0.0, 0.0});
+    one.strain({}, kDt, isa);
+    const double damage = damage_at(kappa, ductility(1.0));
+    REQUIRE(one.mode() == kernels::kSofteningInTension);
+    REQUIRE(one.damage() == Approx(damage).epsilon(1e-12));
+    REQUIRE(one.stress()[0] == Approx((1.0 - damage) * kappa * kStrength).epsilon(1e-12));
+  });
+}
+
 TEST_CASE("shear under pressure softens from Mohr-Coulomb's line and keeps the pressure") {
   const double angle = 40.0 * std::numbers::pi / 180.0;
   const double limit = 5.95e6 * std::cos(angle);

@@ -15,7 +15,8 @@ import table
 def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("names", nargs="*", metavar="NAME",
-                        help="mutants or files of the table, such as p2g/carry-not-cleared or p2g")
+                        help="mutants or files of the table, such as p2g/carry-not-cleared or p2g, in "
+                             "the order to run them")
     parser.add_argument("--list", action="store_true", help="print the mutants and stop")
     parser.add_argument("--missing", action="store_true",
                         help="only those not killed when they last ran")
@@ -31,8 +32,8 @@ def chosen(mutants, names):
     for name in names:
         if not any(name in (mutant.name, mutant.name.split("/")[0]) for mutant in mutants):
             sys.exit(f"error: no mutant {name}; --list prints them")
-    return [mutant for mutant in mutants
-            if mutant.name in names or mutant.name.split("/")[0] in names]
+    return [mutant for name in names for mutant in mutants
+            if name in (mutant.name, mutant.name.split("/")[0])]
 
 
 def try_mutant(place, mutant):
