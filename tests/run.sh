@@ -9,6 +9,12 @@ source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 # needs beyond the gate's Debian packages it installs itself: install_packages NAME...
 stages=( # NAME | gate or nightly | what it does
   "tests|gate|every test of the release build"
+  "sanitized|nightly|case files, output, checkpoints, cracks and small runs under ASan and UBSan"
+  "asan-ubsan|nightly|every test under AddressSanitizer and UndefinedBehaviorSanitizer"
+  "tsan|nightly|every test under ThreadSanitizer; tests/tsan.supp lists what is let pass"
+  "debug|nightly|every test of the debug build, whose warnings are errors"
+  "valgrind|nightly|memcheck over the unit tests and a small run, its cracks included"
+  "tidy|nightly|clang-tidy over every source file"
 )
 
 install_packages() {
@@ -20,6 +26,75 @@ stage_tests() {
   build_release
   step "Test (ctest --preset release)"
   ctest --preset release --no-tests=error
+}
+
+# test_preset PRESET [CTEST_OPTION...]: builds all of a preset and runs its tests.
+test_preset() {
+  step "Configure and build ($1)"
+  cmake --preset "$1"
+  cmake --build --preset "$1"
+  step "Test (ctest --preset $*)"
+  ctest --preset "$@" --no-tests=error
+}
+
+# Whole programs: none of the tests that take minutes when checked.
+stage_sanitized() {
+  local programs=(test_case_file test_output test_checkpoint test_cracks test_binning test_failure
+    test_parallel)
+  step "Configure and build (asan-ubsan: rgimp ${programs[*]})"
+  cmake --preset asan-ubsan
+  cmake --build --preset asan-ubsan --target rgimp "${programs[@]}"
+  step "Test under AddressSanitizer and UndefinedBehaviorSanitizer"
+  local program
+  for program in "${programs[@]}"; do
+    build/asan-ubsan/tests/"$program"
+  done
+  small_run build/asan-ubsan/bin/rgimp
+}
+
+stage_asan_ubsan() { test_preset asan-ubsan; }
+stage_tsan() { test_preset tsan; }
+stage_debug() { test_preset dev; }
+
+# small_run COMMAND...: a block that breaks, run to disk, its cracks, and a case that is refused.
+small_run() {
+  local place
+  place=$(mktemp --directory)
+  step "A small run and its cracks ($*)"
+  "$@" run tests/support/breaking_block.toml -o "$place/run" --threads 2 --quiet
+  "$@" cracks "$place/run" --json "$place/cracks.json" | tee "$place/cracks"
+  grep --quiet "first failure at B" "$place/cracks" || fail "the cracks were not found"
+  if "$@" check tests/support/breaking_block.toml --set time.stepz=1 2>"$place/error"; then
+    fail "a case with an unknown key was accepted"
+  fi
+  cat "$place/error"
+  grep --quiet stepz "$place/error" || fail "the unknown key was not named"
+  rm -r "$place"
+}
+
+# The baseline kernels: valgrind 3.19 knows no AVX-512, and the machine it shows has none.
+stage_valgrind() {
+  install_packages valgrind
+  build_release
+  local memcheck=(valgrind --quiet --error-exitcode=9 --leak-check=full
+    --show-leak-kinds=definite --errors-for-leak-kinds=definite)
+  local program
+  for program in test_case_file test_output test_cracks test_geometry test_binning test_command_text; do
+    step "Memcheck of $program"
+    RGIMP_ISA=baseline "${memcheck[@]}" build/release/tests/"$program"
+  done
+  RGIMP_ISA=baseline small_run "${memcheck[@]}" build/release/bin/rgimp
+}
+
+# Against the flags of the release build, of which clang does not know all.
+stage_tidy() {
+  install_packages clang-tidy
+  cmake --preset release
+  step "clang-tidy"
+  git ls-files 'engine/*.cpp' 'kernels/*.cpp' 'bench/*.cpp' 'tests/*.cpp' 'examples/*.cpp' |
+    grep --invert-match '^tests/package/\|^tests/fuzz/' |
+    xargs --max-procs="$(nproc)" --max-args=1 clang-tidy -p build/release --quiet \
+      --warnings-as-errors='*' --extra-arg=-Wno-unknown-warning-option
 }
 
 list_stages() {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "shape.hpp"
+#include "places.hpp"
 
 namespace rgimp::kernels {
 namespace {
@@ -21,9 +21,10 @@ struct alignas(64) LaneSum {
   }
 };
 
-/// 1 / m, and 0 for nodes too light to trust.
+/// 1 / m, and 0 for nodes too light to trust. No lane divides by zero: tests trap that.
 inline Batch inverse_mass(Batch mass, Batch least) {
-  return xsimd::select(mass > least, Batch(1.0) / mass, Batch(0.0));
+  const Mask heavy = mass > least;
+  return xsimd::select(heavy, Batch(1.0) / xsimd::select(heavy, mass, Batch(1.0)), Batch(0.0));
 }
 
 /// One batch of nodes; see the scalar twin for what the works mean.

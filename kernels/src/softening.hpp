@@ -85,10 +85,13 @@ inline Softened grow_damage(const PlaneStress& s, Batch mode, Batch damage,
   const Batch brittleness = xsimd::select(
       in_tension, xsimd::sqrt(Batch(1.0) + oblique) * Batch(material.softening.tension),
       Batch(material.softening.shear));
-  const Batch grown =
-      xsimd::min((Batch(1.0) - limit / load) / (Batch(1.0) - brittleness), Batch(1.0));
-  const Batch reached = xsimd::select(brittleness < Batch(1.0), grown, Batch(1.0));
   const Mask grows = (in_tension | in_shear) & (load >= limit);
+  const Mask gradual = brittleness < Batch(1.0);
+  // Lanes whose result is not taken divide by 1: tests trap divisions by zero.
+  const Batch left = Batch(1.0) - limit / xsimd::select(grows, load, Batch(1.0));
+  const Batch grown =
+      xsimd::min(left / xsimd::select(gradual, Batch(1.0) - brittleness, Batch(1.0)), Batch(1.0));
+  const Batch reached = xsimd::select(gradual, grown, Batch(1.0));
   const Batch now = xsimd::select(grows, xsimd::max(damage, reached), damage);
 
   const Mask fails = now >= Batch(1.0);

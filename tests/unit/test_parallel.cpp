@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <stdexcept>
 #include <vector>
 
 #include "bands.hpp"
+#include "floating_point_traps.hpp"
 #include "workers.hpp"
 
 namespace rgimp::tests {
@@ -126,6 +128,23 @@ TEST_CASE("work outside a region runs on the caller, and errors leave a region")
   REQUIRE(calls == 10);
   REQUIRE_THROWS_AS(workers.region([] { throw std::runtime_error("stop"); }), std::runtime_error);
   workers.region([&] { workers.for_each(10, [&](std::ptrdiff_t) {}); });
+}
+
+TEST_CASE("floating-point errors are trapped on every thread, unless a test says otherwise") {
+  Workers workers(3);
+  std::vector<std::atomic<int>> traps(1000);
+  workers.region([&] {
+    for (int phase = 0; phase < 100; ++phase) {
+      workers.for_each(1000, [&](std::ptrdiff_t i) { traps[i] = fegetexcept(); });
+    }
+  });
+  REQUIRE(std::all_of(traps.begin(), traps.end(),
+                      [](const auto& t) { return t == kFloatingPointTraps; }));
+  {
+    const WithoutTraps none;
+    REQUIRE(fegetexcept() == 0);
+  }
+  REQUIRE(fegetexcept() == kFloatingPointTraps);
 }
 
 }  // namespace rgimp::tests
