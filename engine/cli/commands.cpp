@@ -117,7 +117,8 @@ RunEnd run_to_end(Simulation& simulation, const RunOptions& options) {
     return run_case(simulation, options);
   } catch (const PhysicsError& error) {
     throw PhysicsError(fmt::format("{} (see '{}' for the results up to step {})", error.what(),
-                                   options.directory.string(), simulation.steps_done()));
+                                   options.directory.string(), simulation.steps_done()),
+                       error.report());
   }
 }
 

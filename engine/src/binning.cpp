@@ -1,12 +1,8 @@
 #include "binning.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
-
-#include "rgimp/error.hpp"
 
 namespace rgimp {
 namespace {
@@ -17,26 +13,11 @@ using kernels::kGroupWidth;
 using Source = std::vector<std::uint32_t>;
 constexpr std::uint32_t kNoSource = std::numeric_limits<std::uint32_t>::max();
 
+/// The particle's nearest node, whose neighbours on every side are in the grid too; none for a
+/// particle that is not inside.
 template <int Dim>
-[[noreturn]] void throw_outside(const Particles<Dim>& particles, std::size_t index) {
-  std::string position;
-  std::string velocity;
-  for (int a = 0; a < Dim; ++a) {
-    position += fmt::format("{}{:.6g}", a == 0 ? "" : ", ", particles.position[a][index]);
-    velocity += fmt::format("{}{:.6g}", a == 0 ? "" : ", ", particles.velocity[a][index]);
-  }
-  throw PhysicsError(fmt::format(
-      "particle {} left the grid: position ({}) m, velocity ({}) m/s; enlarge the grid with "
-      "grid.min and grid.max (it follows the platens), or see whether the specimen has burst "
-      "(smaller time.step_factor, "
-      "more damping.local)",
-      particles.id[index], position, velocity));
-}
-
-/// The particle's nearest node, whose neighbours on every side are in the grid too.
-template <int Dim>
-std::size_t bin_of(const Particles<Dim>& particles, const Grid<Dim>& grid, int layer,
-                   std::size_t index) {
+std::optional<std::uint32_t> bin_of(const Particles<Dim>& particles, const Grid<Dim>& grid,
+                                    int layer, std::size_t index) {
   const GridExtent& extent = grid.extent(layer);
   const std::ptrdiff_t stride[3] = {1, grid.row_stride(), grid.row_stride() * extent.nodes[1]};
   std::ptrdiff_t bin = 0;
@@ -44,11 +25,11 @@ std::size_t bin_of(const Particles<Dim>& particles, const Grid<Dim>& grid, int l
     const double cells = (particles.position[a][index] - extent.origin[a]) / extent.spacing[a];
     const double node = std::floor(cells + 0.5);
     if (!(node >= 1.0 && node <= static_cast<double>(extent.nodes[a] - 2))) {
-      throw_outside(particles, index);
+      return std::nullopt;
     }
     bin += static_cast<std::ptrdiff_t>(node) * stride[a];
   }
-  return static_cast<std::size_t>(bin);
+  return static_cast<std::uint32_t>(bin);
 }
 
 /// The new layout: every slot of a group holds one material, so that kernels read its constants
@@ -152,17 +133,28 @@ Particles<Dim> particles_from(const std::vector<ParticleSeed>& seeds) {
 }
 
 template <int Dim>
-void bin_particles(Particles<Dim>& particles, const std::vector<std::uint8_t>& material_of_id,
-                   const Grid<Dim>& grid, Workers& workers, int layer) {
+std::optional<std::size_t> bin_particles(Particles<Dim>& particles,
+                                         const std::vector<std::uint8_t>& material_of_id,
+                                         const Grid<Dim>& grid, Workers& workers, int layer) {
   const std::size_t materials =
       1 + static_cast<std::size_t>(*std::max_element(material_of_id.begin(), material_of_id.end()));
   Layout layout(static_cast<std::size_t>(grid.rows() * grid.row_stride()), materials);
   std::vector<std::uint32_t> bin(particles.lanes());
+  std::optional<std::size_t> outside;
   for (std::size_t i = 0; i < particles.lanes(); ++i) {
-    if (!particles.is_padding(i)) {
-      bin[i] = static_cast<std::uint32_t>(bin_of(particles, grid, layer, i));
-      layout.add(bin[i], material_of_id[particles.id[i]]);
+    if (particles.is_padding(i)) {
+      continue;
     }
+    const std::optional<std::uint32_t> home = bin_of(particles, grid, layer, i);
+    if (home) {
+      bin[i] = *home;
+      layout.add(bin[i], material_of_id[particles.id[i]]);
+    } else if (!outside || particles.id[i] < particles.id[*outside]) {
+      outside = i;
+    }
+  }
+  if (outside) {
+    return outside;
   }
   layout.place_slots(particles);
   Source source(particles.slot_material.size() * kGroupWidth, kNoSource);
@@ -175,10 +167,12 @@ void bin_particles(Particles<Dim>& particles, const std::vector<std::uint8_t>& m
   particles.for_each_column(
       [&](auto& column, auto padding) { permute(column, source, padding, workers); });
   put_padding_on_nodes(particles, grid, layer);
+  return std::nullopt;
 }
 
 template Particles<2> particles_from<2>(const std::vector<ParticleSeed>&);
-template void bin_particles<2>(Particles<2>&, const std::vector<std::uint8_t>&, const Grid<2>&,
-                               Workers&, int);
+template std::optional<std::size_t> bin_particles<2>(Particles<2>&,
+                                                     const std::vector<std::uint8_t>&,
+                                                     const Grid<2>&, Workers&, int);
 
 }  // namespace rgimp

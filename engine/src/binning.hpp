@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "grid.hpp"
@@ -15,10 +17,11 @@ Particles<Dim> particles_from(const std::vector<ParticleSeed>& seeds);
 /// Sorts particles into the bins of their nearest nodes, in groups of eight bins, keeping the
 /// present order within a bin. Padding lanes are put on their bin's node. Bins are those of the
 /// grid's `layer`.
-/// Throws PhysicsError for a particle that is not inside the grid (or not a number), with the
-/// particles as they were.
+/// Returns the lane of the particle with the lowest id that is not inside the grid, or nowhere;
+/// then the particles are as they were.
 template <int Dim>
-void bin_particles(Particles<Dim>& particles, const std::vector<std::uint8_t>& material_of_id,
-                   const Grid<Dim>& grid, Workers& workers, int layer = 0);
+[[nodiscard]] std::optional<std::size_t> bin_particles(
+    Particles<Dim>& particles, const std::vector<std::uint8_t>& material_of_id,
+    const Grid<Dim>& grid, Workers& workers, int layer = 0);
 
 }  // namespace rgimp

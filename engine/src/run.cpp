@@ -166,7 +166,8 @@ class Run {
       finish();
     } catch (const FileError& second) {
       throw PhysicsError(
-          fmt::format("{}; nor could the last state be saved: {}", error.what(), second.what()));
+          fmt::format("{}; nor could the last state be saved: {}", error.what(), second.what()),
+          error.report());
     }
   }
 

@@ -78,7 +78,12 @@ class Simulation::Implementation {
     return row;
   }
 
+  void verify() {
+    workers_.region([&] { solver_.verify(); });
+  }
+
   void save(const std::filesystem::path& path, std::string_view note) {
+    verify();  // a checkpoint is the last good state
     CheckpointWriter checkpoint(path, solver_.steps_done());
     solver_.save(checkpoint);
     checkpoint.finish({case_of_state(settings_), std::string(note)});
@@ -130,6 +135,9 @@ void Simulation::save(const std::filesystem::path& path, std::string_view note) 
 }
 std::string Simulation::restore(const std::filesystem::path& path) {
   return implementation_->restore(path);
+}
+void Simulation::verify() const {
+  implementation_->verify();
 }
 std::int64_t Simulation::steps_done() const {
   return implementation_->solver().steps_done();

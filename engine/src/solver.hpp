@@ -9,6 +9,7 @@
 #include "checkpoint_file.hpp"
 #include "grid.hpp"
 #include "grid_motion.hpp"
+#include "guards.hpp"
 #include "ledger.hpp"
 #include "particles.hpp"
 #include "platens.hpp"
@@ -36,7 +37,11 @@ class Solver {
   /// are.
   void prepare();
   /// Sorts the particles into bins anew; step() does it when one has drifted too far from its bin.
+  /// Throws PhysicsError for a particle that is broken or out of the grid.
   void rebin();
+  /// All guards at once; step() calls it every kFullCheckEvery steps. Throws PhysicsError, else
+  /// changes nothing.
+  void verify();
 
   std::int64_t steps_done() const { return steps_done_; }
   double time() const { return dt_ * static_cast<double>(steps_done_); }
@@ -94,7 +99,9 @@ class Solver {
   void attach_particles();
   void finish_step();
   void note_first_failure();
-  void stop_if_unphysical() const;
+  GuardedStep guarded_step() const;
+  /// After every step.
+  void guard();
 
   Workers& workers_;
   const kernels::KernelTable<Dim>& kernels_;

@@ -138,6 +138,14 @@ class RunTest(CommandTest):
         self.assertEqual(self.history()[-1]["step"], str(last))
         self.assertEqual(self.snapshots()[-1], f"step_{last:09d}.vtkhdf")
 
+    def test_physics_error_says_where_and_what_to_do(self):
+        result = self.fail_with(PHYSICS_STOPPED, "run", self.case, "--quiet", "--set", "platen=[]",
+                                "--set", "body[0].velocity=[1000.0, 0.0]", "--steps", 1000)
+        self.assertRegex(result.stderr,
+                         r"^rgimp: error: step \d+: particle \d+ left the grid: "
+                         r"position \(0\.\d+, -?\d.*\) m, velocity \(1000, .*\) m/s, "
+                         r"dt/dt_cr 0\.\d+; enlarge the grid .*\n$")
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -34,7 +34,7 @@ class OneParticle {
     if (constants_.softens) {
       particles_.damage = {0.0};
     }
-    bin_particles(particles_, {0}, grid_, workers_);
+    static_cast<void>(bin_particles(particles_, {0}, grid_, workers_));  // it is inside
     while (particles_.is_padding(lane_)) {
       ++lane_;
     }

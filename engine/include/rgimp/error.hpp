@@ -1,6 +1,10 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <optional>
 #include <stdexcept>
+#include <string>
 
 namespace rgimp {
 
@@ -17,11 +21,27 @@ class CaseError : public Error {
   using Error::Error;
 };
 
-/// The physics stopped the run (exit code 3): time step past critical, a value that is not a
-/// number, a particle out of the grid.
+/// Where the physics stopped.
+struct PhysicsReport {
+  std::int64_t step = 0;
+  std::optional<std::uint32_t> particle;  ///< id, the lowest of several; none: no single particle
+  std::array<double, 3> position{};       ///< m, of the particle
+  std::array<double, 3> velocity{};       ///< m/s, of the particle
+  double critical_step_ratio = 0.0;       ///< dt/dt_cr, Eq. 22
+};
+
+/// The physics stopped the run (exit code 3): time step past critical, a value that is not finite,
+/// a volume that is not positive, a particle out of the grid. The message says what happened, where
+/// and what to do.
 class PhysicsError : public Error {
  public:
-  using Error::Error;
+  explicit PhysicsError(const std::string& message, const PhysicsReport& report = {})
+      : Error(message), report_(report) {}
+
+  const PhysicsReport& report() const { return report_; }
+
+ private:
+  PhysicsReport report_;
 };
 
 /// Reading or writing files failed (exit code 4).

@@ -86,10 +86,14 @@ class Simulation {
   void step();
   /// Steps until `step` steps are done; nothing happens when they are. Throws PhysicsError.
   void run_until(std::int64_t step);
+  /// Throws the PhysicsError of a state that must not be gone on from: a value that is not finite,
+  /// a volume that is not positive, a time step beyond the critical one. Steps look at most of this
+  /// every step, and at all of it every 500 steps and whenever particles change bins.
+  void verify() const;
 
   /// Writes a checkpoint: the whole state, from which a simulation of the same case goes on to the
   /// same bits. The file is there whole, and on disk, or not at all. `note` comes back with it.
-  /// Throws FileError.
+  /// Throws FileError, and PhysicsError for a state that verify() refuses.
   void save(const std::filesystem::path& path, std::string_view note = {}) const;
   /// Takes the state of a checkpoint and returns its note. Throws FileError for a file that cannot
   /// be read, is damaged or of another format, CaseError for one of another case (its output,

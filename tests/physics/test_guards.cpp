@@ -1,0 +1,222 @@
+#include <catch2/catch.hpp>
+#include <functional>
+#include <limits>
+#include <string>
+
+#include "models.hpp"
+#include "rgimp/error.hpp"
+#include "state_hash.hpp"
+#include "time_step.hpp"
+
+namespace rgimp::tests {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::uint32_t kParticle = 37;
+
+std::size_t lane_of(const Particles<2>& particles, std::uint32_t id) {
+  for (std::size_t lane = 0; lane < particles.lanes(); ++lane) {
+    if (particles.id[lane] == id) {
+      return lane;
+    }
+  }
+  FAIL("no particle " << id);
+  return 0;
+}
+
+/// Steps until a guard stops the run, at most `most`.
+std::optional<PhysicsError> stop_within(Model& model, std::int64_t most) {
+  try {
+    model.steps(most);
+  } catch (const PhysicsError& error) {
+    return error;
+  }
+  return std::nullopt;
+}
+
+Case small_block(Integrator integrator) {
+  Case settings = compressed_block(4.0, 4.0, 0.2);
+  settings.time.integrator = integrator;
+  return settings;
+}
+
+/// A column, and how many steps a value that is not finite may stay in it.
+struct Place {
+  std::string name;
+  std::function<Column<double>&(Particles<2>&)> column;
+  std::int64_t steps;
+};
+
+const std::vector<Place>& places() {
+  using P = Particles<2>;
+  static const std::vector<Place> all{{"position x", [](P & p) -> auto& {return p.position[0];
+}
+, 1
+}  // namespace
+, {"position y", [](P& p) -> auto& {return p.position[1];
+}  // namespace rgimp::tests
+, 1
+}
+, {"velocity x", [](P& p) -> auto& {return p.velocity[0];
+}
+, 2
+}
+, {"velocity y", [](P& p) -> auto& {return p.velocity[1];
+}
+, 2
+}
+, {"stress xx", [](P& p) -> auto& {return p.stress[0];
+}
+, 2
+}
+, {"stress yy", [](P& p) -> auto& {return p.stress[1];
+}
+, 2
+}
+, {"stress xy", [](P& p) -> auto& {return p.stress[3];
+}
+, 2
+}
+, {"stress zz", [](P& p) -> auto& {return p.stress[2];
+}
+, kFullCheckEvery
+}
+, {"volume", [](P& p) -> auto& {return p.volume;
+}
+, 2
+}
+, {
+  "viscous energy", [](P & p) -> auto& {
+    return p.viscous_energy;
+  }
+  , 1
+}
+}
+;
+return all;
+}
+
+}  // namespace
+
+TEST_CASE("a value that is not finite is found in whatever column it lies") {
+  for (const Integrator integrator : {Integrator::musl, Integrator::usl, Integrator::usf}) {
+    for (const Place& place : places()) {
+      for (const double value : {kNaN, kInfinity, -kInfinity}) {
+        Model model(small_block(integrator));
+        model.steps(10);
+        Particles<2>& particles = model.solver.particles();
+        place.column(particles)[lane_of(particles, kParticle)] = value;
+        INFO("integrator " << static_cast<int>(integrator) << ", " << place.name << " " << value);
+        CHECK_THROWS_WITH(model.solver.verify(), Catch::Contains("of particle 37 is not a finite"));
+        const auto error = stop_within(model, kFullCheckEvery);
+        REQUIRE(error);
+        CHECK_THAT(error->what(), Catch::Contains("not finite") || Catch::Contains("not a finite"));
+        CHECK(error->report().step <= 10 + place.steps);
+      }
+    }
+  }
+}
+
+TEST_CASE("damage that is not a number is found where a material softens") {
+  Model model(softening_block());
+  Particles<2>& particles = model.solver.particles();
+  particles.damage[lane_of(particles, kParticle)] = kNaN;
+  CHECK_THROWS_WITH(model.solver.rebin(), Catch::Contains("damage of particle 37"));
+}
+
+TEST_CASE("a volume that is not positive stops the run") {
+  for (const double volume : {0.0, -1e-9}) {
+    Model model(small_block(Integrator::musl));
+    Particles<2>& particles = model.solver.particles();
+    particles.volume[lane_of(particles, kParticle)] = volume;
+    CHECK_THROWS_WITH(model.solver.rebin(), Catch::Contains("particle 37 is turned inside out"));
+    const auto error = stop_within(model, kFullCheckEvery);
+    REQUIRE(error);
+    CHECK(error->report().particle == kParticle);
+    CHECK(error->report().step <= kFullCheckEvery);
+  }
+}
+
+// Closing by more than a cell within a step, below the critical step as the paper has it: nothing
+// but the volume tells.
+TEST_CASE("a violent collision that turns particles inside out stops the run") {
+  Case settings = free_block(4.25, 4.0);  // meets the other in the middle of a cell
+  settings.quadratic_viscosity = 0.0;
+  settings.linear_viscosity = 0.0;
+  settings.time.step_factor = 0.1;
+  Body other = settings.bodies.front();
+  other.center.x() = 4.25e-3;
+  const double speed = 0.85 * 0.5e-3 / time_step(settings);
+  settings.bodies.front().velocity.x() = speed;
+  other.velocity.x() = -speed;
+  settings.bodies.push_back(other);
+  Model model(settings);
+  const auto error = stop_within(model, 20);
+  REQUIRE(error);
+  CHECK_THAT(error->what(), Catch::Contains("is turned inside out, its volume is -"));
+  CHECK(error->report().critical_step_ratio < 1.0);
+}
+
+TEST_CASE("a time step beyond the critical one stops the run with the fastest particle") {
+  Case settings = free_block(4.0, 4.0);
+  settings.bodies.front().velocity = Vector(6000.0, 0.0, 0.0);
+  Model model(settings);
+  const auto error = stop_within(model, 1);
+  REQUIRE(error);
+  CHECK(error->report().step == 1);
+  CHECK(error->report().particle == 0U);
+  CHECK(error->report().velocity[0] == Approx(6000.0));
+  CHECK(error->report().critical_step_ratio == model.solver.critical_step_ratio());
+  CHECK(error->report().critical_step_ratio > 1.0);
+  CHECK_THROWS_AS(model.solver.verify(), PhysicsError);
+  CHECK_THAT(error->what(), Catch::StartsWith("step 1: the time step ") &&
+                                Catch::Contains("particle 0 is the fastest: position (") &&
+                                Catch::Contains(") m, velocity (6000, ") &&
+                                Catch::Contains("dt/dt_cr 1.") &&
+                                Catch::Contains("; lower time.step_factor"));
+}
+
+TEST_CASE("a particle out of the grid stops the run with its place") {
+  Case settings = free_block(4.0, 4.0);
+  settings.bodies.front().velocity = Vector(500.0, 0.0, 0.0);
+  Model model(settings);
+  const auto error = stop_within(model, 1000);
+  REQUIRE(error);
+  REQUIRE(error->report().particle);
+  CHECK(*error->report().particle % 16 == 15);  // of the right end, in rows of 16
+  CHECK(error->report().velocity[0] == Approx(500.0));
+  CHECK(error->report().position[0] > 2e-3);
+  CHECK_THAT(error->what(), Catch::Contains("left the grid: position (") &&
+                                Catch::Contains("; enlarge the grid with grid.min and grid.max"));
+}
+
+TEST_CASE("of several broken particles the lowest id is named, for any number of threads") {
+  std::vector<std::string> messages;
+  for (const int threads : {1, 2, 7}) {
+    Model model(cracking_block(), threads);
+    Particles<2>& particles = model.solver.particles();
+    for (const std::uint32_t id : {4001U, 38U, 2077U, 37U, 40U}) {
+      particles.stress[2][lane_of(particles, id)] = kNaN;
+    }
+    const auto error = stop_within(model, kFullCheckEvery);
+    REQUIRE(error);
+    CHECK(error->report().particle == kParticle);
+    messages.emplace_back(error->what());
+  }
+  CHECK(messages[0] == messages[1]);
+  CHECK(messages[0] == messages[2]);
+}
+
+TEST_CASE("looking changes nothing") {
+  Model model(cracking_block());
+  Model looked_at(cracking_block());
+  for (int i = 0; i < 10; ++i) {
+    model.steps(3);
+    looked_at.steps(3);
+    looked_at.solver.verify();
+  }
+  CHECK(state_hash(model.solver.particles()) == state_hash(looked_at.solver.particles()));
+}
+
+}  // namespace rgimp::tests
