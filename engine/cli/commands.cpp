@@ -50,6 +50,11 @@ std::string describe(const FirstFailure& failure) {
                      failure.mode == FailureMode::tension ? "tension" : "shear", failure.closure);
 }
 
+std::string describe(const RemovedParticles& removed) {
+  return fmt::format("{} that left the grid, {:.4g} kg, {:.4g} J",
+                     with_separators(removed.particles), removed.mass, removed.energy);
+}
+
 void print_line(std::string_view name, std::string_view value) {
   fmt::print("{:<15} {}\n", name, value);
 }
@@ -84,6 +89,9 @@ void print_results(const Simulation& simulation, const Progress& progress,
   print_line("failed",
              fmt::format("{} in tension, {} in shear", with_separators(row.failed_tension),
                          with_separators(row.failed_shear)));
+  if (simulation.removed().particles > 0) {
+    print_line("removed", describe(simulation.removed()));
+  }
   if (progress.seconds > 0.0) {
     const double work = static_cast<double>(progress.particles) *
                         static_cast<double>(row.step - progress.first_step);
@@ -157,6 +165,10 @@ int run(const RunArguments& arguments) {
     print_notice(fmt::format("stopped at step {} with a checkpoint in '{}'; go on with --resume",
                              with_separators(simulation.steps_done()), options.directory.string()));
     return kStoppedBySignal + interruption.signal().value_or(0);
+  }
+  if (simulation.removed().particles > 0) {
+    print_warning(
+        fmt::format("particles were taken out (grid.on_exit): {}", describe(simulation.removed())));
   }
   if (end == RunEnd::finished && !quiet) {
     print_results(simulation, latest, options.directory);

@@ -133,27 +133,28 @@ Particles<Dim> particles_from(const std::vector<ParticleSeed>& seeds) {
 }
 
 template <int Dim>
-std::optional<std::size_t> bin_particles(Particles<Dim>& particles,
-                                         const std::vector<std::uint8_t>& material_of_id,
-                                         const Grid<Dim>& grid, Workers& workers, int layer) {
+std::vector<std::size_t> bin_particles(Particles<Dim>& particles,
+                                       const std::vector<std::uint8_t>& material_of_id,
+                                       const Grid<Dim>& grid, Workers& workers, int layer) {
   const std::size_t materials =
       1 + static_cast<std::size_t>(*std::max_element(material_of_id.begin(), material_of_id.end()));
   Layout layout(static_cast<std::size_t>(grid.rows() * grid.row_stride()), materials);
   std::vector<std::uint32_t> bin(particles.lanes());
-  std::optional<std::size_t> outside;
+  std::vector<std::size_t> outside;
   for (std::size_t i = 0; i < particles.lanes(); ++i) {
     if (particles.is_padding(i)) {
       continue;
     }
-    const std::optional<std::uint32_t> home = bin_of(particles, grid, layer, i);
-    if (home) {
+    if (const std::optional<std::uint32_t> home = bin_of(particles, grid, layer, i)) {
       bin[i] = *home;
       layout.add(bin[i], material_of_id[particles.id[i]]);
-    } else if (!outside || particles.id[i] < particles.id[*outside]) {
-      outside = i;
+    } else {
+      outside.push_back(i);
     }
   }
-  if (outside) {
+  if (!outside.empty()) {
+    std::sort(outside.begin(), outside.end(),
+              [&](std::size_t a, std::size_t b) { return particles.id[a] < particles.id[b]; });
     return outside;
   }
   layout.place_slots(particles);
@@ -167,12 +168,11 @@ std::optional<std::size_t> bin_particles(Particles<Dim>& particles,
   particles.for_each_column(
       [&](auto& column, auto padding) { permute(column, source, padding, workers); });
   put_padding_on_nodes(particles, grid, layer);
-  return std::nullopt;
+  return {};
 }
 
 template Particles<2> particles_from<2>(const std::vector<ParticleSeed>&);
-template std::optional<std::size_t> bin_particles<2>(Particles<2>&,
-                                                     const std::vector<std::uint8_t>&,
-                                                     const Grid<2>&, Workers&, int);
+template std::vector<std::size_t> bin_particles<2>(Particles<2>&, const std::vector<std::uint8_t>&,
+                                                   const Grid<2>&, Workers&, int);
 
 }  // namespace rgimp

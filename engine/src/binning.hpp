@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "grid.hpp"
@@ -17,10 +16,10 @@ Particles<Dim> particles_from(const std::vector<ParticleSeed>& seeds);
 /// Sorts particles into the bins of their nearest nodes, in groups of eight bins, keeping the
 /// present order within a bin. Padding lanes are put on their bin's node. Bins are those of the
 /// grid's `layer`.
-/// Returns the lane of the particle with the lowest id that is not inside the grid, or nowhere;
-/// then the particles are as they were.
+/// Returns the lanes, in order of id, of the particles that are not inside the grid, or nowhere;
+/// where there are any, the particles are as they were.
 template <int Dim>
-[[nodiscard]] std::optional<std::size_t> bin_particles(
+[[nodiscard]] std::vector<std::size_t> bin_particles(
     Particles<Dim>& particles, const std::vector<std::uint8_t>& material_of_id,
     const Grid<Dim>& grid, Workers& workers, int layer = 0);
 

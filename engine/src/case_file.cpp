@@ -27,10 +27,11 @@ void allow_for_choice(const TomlReader& reader, std::span<const std::string_view
 }
 
 void read_grid(const TomlReader& reader, GridSettings& grid) {
-  reader.allow_only(Keys{"cell_size", "min", "max"});
+  reader.allow_only(Keys{"cell_size", "min", "max", "on_exit"});
   reader.require("cell_size", grid.cell_size);
   reader.accept("min", grid.min);
   reader.accept("max", grid.max);
+  reader.accept("on_exit", grid.on_exit);
 }
 
 Body read_body(const TomlReader& reader) {

@@ -5,6 +5,8 @@
 namespace rgimp {
 namespace {
 
+constexpr std::array kOnExits{Named<OnExit>{OnExit::stop, "stop"},
+                              Named<OnExit>{OnExit::remove, "remove"}};
 constexpr std::array kBodyShapes{Named<BodyShape>{BodyShape::box, "box"},
                                  Named<BodyShape>{BodyShape::disk, "disk"}};
 constexpr std::array kFlawShapes{Named<FlawShape>{FlawShape::slot, "slot"},
@@ -58,6 +60,9 @@ constexpr std::array<std::string_view, 1> kBoxKeys{"size"};
 
 }  // namespace
 
+std::span<const Named<OnExit>> names_of(OnExit) {
+  return kOnExits;
+}
 std::span<const Named<BodyShape>> names_of(BodyShape) {
   return kBodyShapes;
 }

@@ -15,6 +15,7 @@ struct Named {
   std::string_view name;
 };
 
+std::span<const Named<OnExit>> names_of(OnExit);
 std::span<const Named<BodyShape>> names_of(BodyShape);
 std::span<const Named<FlawShape>> names_of(FlawShape);
 std::span<const Named<SlotEnds>> names_of(SlotEnds);

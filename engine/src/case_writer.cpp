@@ -103,6 +103,8 @@ void write_grid(CaseWriter& writer, const GridSettings& grid) {
   writer.line("cell_size", grid.cell_size, "m, edge of a square cell");
   writer.line("min", grid.min, "m, lower corner", "five cells beyond the bodies");
   writer.line("max", grid.max, "m, upper corner", "five cells beyond the bodies");
+  writer.line("on_exit", grid.on_exit,
+              fmt::format("{}, for a particle that leaves the grid", choices<OnExit>()));
 }
 
 void write_body(CaseWriter& writer, const Body& body) {

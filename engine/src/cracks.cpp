@@ -26,7 +26,8 @@ namespace {
 /// In the order in which they failed, ties by id, at their places of step 0.
 std::vector<FailedParticle> failed_particles(const Case& settings, const ParticleTable& particles) {
   const std::vector<ParticleSeed> seeds = seed_particles(settings);
-  if (particles.size() != seeds.size()) {
+  const bool some_may_miss = settings.grid.on_exit == OnExit::remove;
+  if (particles.size() > seeds.size() || (particles.size() < seeds.size() && !some_may_miss)) {
     refuse_particles(fmt::format("{} of {}", particles.size(), seeds.size()));
   }
   std::vector<std::size_t> rows;

@@ -116,7 +116,8 @@ Cracks trace_cracks(const fs::path& directory, std::optional<std::int64_t> until
   }
   const Case settings = read_case(directory / "case.toml");
   const SnapshotFile last = last_snapshot(directory);
-  ParticleTable particles = read_snapshot(last.path, seed_particles(settings).size());
+  ParticleTable particles =
+      read_snapshot(last.path, seed_particles(settings).size(), settings.grid.on_exit);
   if (until) {
     if (*until > last.step) {
       throw CaseError(fmt::format("step {} lies past the last snapshot, of step {}, in '{}'",

@@ -97,6 +97,17 @@ StoredEnergy stored_energy(Particles<Dim>& particles, std::ptrdiff_t groups_in_r
   return total;
 }
 
+template <int Dim>
+StoredEnergy energy_of_lane(Particles<Dim>& particles, std::size_t lane,
+                            const std::vector<kernels::MaterialConstants>& materials) {
+  const std::size_t slot = lane / kGroupWidth;
+  LaneSums sums;
+  add_slot(particles.view(), slot, materials[particles.slot_material[slot]], sums);
+  return {sums.kinetic[lane % kGroupWidth], sums.strain[lane % kGroupWidth]};
+}
+
+template StoredEnergy energy_of_lane<2>(Particles<2>&, std::size_t,
+                                        const std::vector<kernels::MaterialConstants>&);
 template StoredEnergy stored_energy<2>(Particles<2>&, std::ptrdiff_t, std::ptrdiff_t,
                                        const std::vector<kernels::MaterialConstants>&, Workers&);
 

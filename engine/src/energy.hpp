@@ -29,4 +29,9 @@ StoredEnergy stored_energy(Particles<Dim>& particles, std::ptrdiff_t groups_in_r
                            const std::vector<kernels::MaterialConstants>& materials,
                            Workers& workers);
 
+/// What the particle of one lane holds.
+template <int Dim>
+StoredEnergy energy_of_lane(Particles<Dim>& particles, std::size_t lane,
+                            const std::vector<kernels::MaterialConstants>& materials);
+
 }  // namespace rgimp

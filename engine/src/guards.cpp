@@ -169,15 +169,25 @@ void stop_at_lost_energies(const Particles<Dim>& particles, const GuardedStep& s
 }
 
 template <int Dim>
-void stop_outside(const Particles<Dim>& particles, std::size_t lane, const GuardedStep& step) {
-  stop(particles, lane, step, fmt::format("particle {} left the grid", particles.id[lane]),
-       "enlarge the grid with grid.min and grid.max (it follows the platens), or see whether the "
-       "specimen has burst (smaller time.step_factor, more damping.local)");
+void stop_outside(const Particles<Dim>& particles, const std::vector<std::size_t>& lanes,
+                  const GuardedStep& step) {
+  constexpr std::string_view larger =
+      "enlarge the grid with grid.min and grid.max (it follows the platens), or see whether the "
+      "specimen has burst (smaller time.step_factor, more damping.local)";
+  const std::uint32_t id = particles.id[lanes.front()];
+  if (lanes.size() == particles.count) {
+    stop(particles, lanes.front(), step,
+         fmt::format("none of the particles is in the grid any more, nor is particle {}", id),
+         larger);
+  }
+  stop(particles, lanes.front(), step, fmt::format("particle {} left the grid", id),
+       fmt::format("{}, or go on without such particles: grid.on_exit = \"remove\"", larger));
 }
 
 template void stop_if_broken<2>(Particles<2>&, const GuardedStep&, Workers&);
 template void stop_if_too_fast<2>(const Particles<2>&, const GuardedStep&);
 template void stop_at_lost_energies<2>(const Particles<2>&, const GuardedStep&);
-template void stop_outside<2>(const Particles<2>&, std::size_t, const GuardedStep&);
+template void stop_outside<2>(const Particles<2>&, const std::vector<std::size_t>&,
+                              const GuardedStep&);
 
 }  // namespace rgimp

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "particles.hpp"
 #include "workers.hpp"
@@ -34,9 +35,9 @@ void stop_if_too_fast(const Particles<Dim>& particles, const GuardedStep& step);
 template <int Dim>
 [[noreturn]] void stop_at_lost_energies(const Particles<Dim>& particles, const GuardedStep& step);
 
-/// Stops for a particle that is not inside the grid.
+/// Stops for particles that are not inside the grid; `lanes` in order of id.
 template <int Dim>
-[[noreturn]] void stop_outside(const Particles<Dim>& particles, std::size_t lane,
-                               const GuardedStep& step);
+[[noreturn]] void stop_outside(const Particles<Dim>& particles,
+                               const std::vector<std::size_t>& lanes, const GuardedStep& step);
 
 }  // namespace rgimp

@@ -76,6 +76,12 @@ double Ledger::closure(double time) const {
   return sum;
 }
 
+void Ledger::remove(double mass, double energy) {
+  ++removed_.particles;
+  removed_.mass += mass;
+  removed_.energy += energy;
+}
+
 bool Ledger::is_finite() const {
   return std::isfinite(budget_.damping_work) && std::isfinite(budget_.external_work) &&
          std::isfinite(budget_.viscous_work) && std::isfinite(budget_.released_energy);

@@ -7,6 +7,7 @@
 #include "platens.hpp"
 #include "rgimp/case.hpp"
 #include "rgimp/kernels/views.hpp"
+#include "rgimp/simulation.hpp"
 
 namespace rgimp {
 
@@ -40,6 +41,9 @@ class Ledger {
   double closure(double time) const;
   double farthest() const { return farthest_; }    ///< cells, of a particle from its bin's node
   double max_speed() const { return max_speed_; }  ///< m/s, of a particle in the last step
+  const RemovedParticles& removed() const { return removed_; }
+  /// Books a particle that is taken out: its mass, kg, and the energy it holds, J.
+  void remove(double mass, double energy);
   /// Whether all sums are numbers. A node's velocity that is none reaches the damping work.
   bool is_finite() const;
 
@@ -56,6 +60,9 @@ class Ledger {
     visit("failed in shear", failed_shear_);
     visit("farthest", farthest_);
     visit("largest speed", max_speed_);
+    visit("particles removed", removed_.particles);
+    visit("mass removed", removed_.mass);
+    visit("energy removed", removed_.energy);
   }
   /// What the rows of nodes have reported and add_nodes() has not added yet, for a checkpoint; a
   /// row after the other: the works, then the reactions.
@@ -82,6 +89,7 @@ class Ledger {
   std::int64_t failed_shear_ = 0;
   double farthest_ = 0.0;
   double max_speed_ = 0.0;
+  RemovedParticles removed_;
 };
 
 }  // namespace rgimp

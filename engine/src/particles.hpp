@@ -57,6 +57,12 @@ struct Particles {
     visit(id, kNoId);
   }
 
+  /// Leaves padding in the particle's lane.
+  void remove(std::size_t lane) {
+    for_each_column([lane](auto& column, auto padding) { column[lane] = padding; });
+    --count;
+  }
+
   kernels::ParticleView<Dim> view() {
     kernels::ParticleView<Dim> v{};
     for (int a = 0; a < Dim; ++a) {

@@ -18,7 +18,7 @@ Json to_json(const HistoryRow& row) {
   return {row.step,         row.time,           row.closure,         row.axial_stress,
           row.reaction,     row.kinetic_energy, row.strain_energy,   row.external_work,
           row.damping_work, row.viscous_work,   row.released_energy, row.failed_tension,
-          row.failed_shear};
+          row.failed_shear, row.removed_energy};
 }
 
 HistoryRow history_row(const Json& json) {
@@ -36,6 +36,7 @@ HistoryRow history_row(const Json& json) {
   row.released_energy = json.at(10).get<double>();
   row.failed_tension = json.at(11).get<std::int64_t>();
   row.failed_shear = json.at(12).get<std::int64_t>();
+  row.removed_energy = json.at(13).get<double>();
   return row;
 }
 

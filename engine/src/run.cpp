@@ -42,6 +42,7 @@ Summary summarize(const Simulation& simulation, const StepLoop& loop, const Reco
   summary.failed_shear = row.failed_shear;
   summary.peak_axial_stress = simulation.peak_axial_stress();
   summary.energy_error = energy_error(recorder.first_row(), row, recorder.largest_work());
+  summary.removed = simulation.removed();
   summary.state_hash = simulation.state_hash();
   return summary;
 }

@@ -154,6 +154,9 @@ HistoryRow Simulation::history() const {
 std::optional<FirstFailure> Simulation::first_failure() const {
   return implementation_->solver().first_failure();
 }
+RemovedParticles Simulation::removed() const {
+  return implementation_->solver().removed();
+}
 double Simulation::peak_axial_stress() const {
   return implementation_->solver().peak_axial_stress();
 }

@@ -30,19 +30,22 @@ struct BasicNumber<std::array<Number, Count>> {
 
 class SnapshotReader {
  public:
-  SnapshotReader(const std::filesystem::path& path, std::size_t particles)
+  /// Of a case of `particles` particles.
+  SnapshotReader(const std::filesystem::path& path, std::size_t particles, OnExit on_exit)
       : path_(path.string()),
-        particles_(particles),
+        most_(particles),
+        least_(on_exit == OnExit::remove ? 1 : particles),
         file_(H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
               fmt::format("read '{}'", path_)) {}
 
-  /// Nothing is read before the sizes in the file are known to be those of `values`.
+  /// Nothing is read before the sizes in the file are known to be those of `values`. The first
+  /// column read says how many particles there are, which holds for all others.
   template <typename Row>
-  void read(const std::string& name, std::vector<Row>& values) const {
+  void read(const std::string& name, std::vector<Row>& values) {
     const std::string action = fmt::format("read '{}' of '{}'", name, path_);
     const Hdf5Handle dataset(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), H5Dclose, action);
     check_extent(dataset.get(), name, kColumns<Row>);
-    values.resize(particles_);
+    values.resize(least_);
     const hid_t type = hdf5_type<typename BasicNumber<Row>::Type>();
     if (H5Dread(dataset.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
       refuse(fmt::format("'{}' cannot be read as numbers", name));
@@ -54,30 +57,32 @@ class SnapshotReader {
   }
 
  private:
-  void check_extent(hid_t dataset, const std::string& name, std::size_t columns) const {
+  void check_extent(hid_t dataset, const std::string& name, std::size_t columns) {
     const Hdf5Handle space(H5Dget_space(dataset), H5Sclose, fmt::format("read '{}'", path_));
     const int wanted_rank = columns == 1 ? 1 : 2;
     std::array<hsize_t, 2> extent{0, 1};
     if (H5Sget_simple_extent_ndims(space.get()) != wanted_rank ||
         H5Sget_simple_extent_dims(space.get(), extent.data(), nullptr) != wanted_rank ||
-        extent[0] != particles_ || extent[1] != columns) {
-      refuse(fmt::format("'{}' is not the {} x {} numbers of this case's particles", name,
-                         particles_, columns));
+        extent[0] < least_ || extent[0] > most_ || extent[1] != columns) {
+      refuse(fmt::format("'{}' is not the {} x {} numbers of this case's particles", name, most_,
+                         columns));
     }
+    least_ = most_ = extent[0];
   }
 
   Hdf5Access access_;
   std::string path_;
-  std::size_t particles_;
+  std::size_t most_;  // particles
+  std::size_t least_;
   Hdf5Handle file_;
 };
 
-/// Every id once, every failure with its step.
-void check_values(const SnapshotReader& reader, const ParticleTable& table) {
-  std::vector<char> seen(table.size());
+/// Every id at most once, every failure with its step.
+void check_values(const SnapshotReader& reader, const ParticleTable& table, std::size_t particles) {
+  std::vector<char> seen(particles);
   for (std::size_t row = 0; row < table.size(); ++row) {
     const std::uint32_t id = table.id[row];
-    if (id >= table.size() || seen[id] != 0) {
+    if (id >= particles || seen[id] != 0) {
       reader.refuse(fmt::format("id {} is not there once", id));
     }
     seen[id] = 1;
@@ -93,8 +98,9 @@ void check_values(const SnapshotReader& reader, const ParticleTable& table) {
 
 }  // namespace
 
-ParticleTable read_snapshot(const std::filesystem::path& path, std::size_t particles) {
-  const SnapshotReader reader(path, particles);
+ParticleTable read_snapshot(const std::filesystem::path& path, std::size_t particles,
+                            OnExit on_exit) {
+  SnapshotReader reader(path, particles, on_exit);
   ParticleTable table;
   reader.read("VTKHDF/PointData/id", table.id);
   reader.read("VTKHDF/Points", table.position);
@@ -108,7 +114,7 @@ ParticleTable read_snapshot(const std::filesystem::path& path, std::size_t parti
   }
   reader.read("VTKHDF/PointData/damage", table.damage);
   reader.read("VTKHDF/PointData/failure_step", table.failure_step);
-  check_values(reader, table);
+  check_values(reader, table, particles);
   return table;
 }
 

@@ -41,6 +41,7 @@ Solver<Dim>::Solver(const Case& settings, kernels::Isa isa, Workers& workers)
     : workers_(workers),
       kernels_(kernels::kernels_for<Dim>(isa)),
       integrator_(settings.time.integrator),
+      on_exit_(settings.grid.on_exit),
       grid_(grid_extent(settings), settings.bodies.front().particles_per_cell,
             settings.local_damping),
       grid_motion_(settings, grid_.extent()),
@@ -287,12 +288,27 @@ double Solver<Dim>::critical_step_ratio() const {
 template <int Dim>
 void Solver<Dim>::rebin() {
   stop_if_broken(particles_, guarded_step(), workers_);
-  if (const auto outside = bin_particles(particles_, material_of_id_, grid_, workers_, layer_)) {
-    stop_outside(particles_, *outside, guarded_step());
+  const auto sort = [&] {
+    return bin_particles(particles_, material_of_id_, grid_, workers_, layer_);
+  };
+  for (auto outside = sort(); !outside.empty(); outside = sort()) {
+    take_out(outside);
   }
   attach_particles();
   is_prepared_ = false;
   ++rebins_;
+}
+
+template <int Dim>
+void Solver<Dim>::take_out(const std::vector<std::size_t>& lanes) {
+  if (on_exit_ == OnExit::stop || lanes.size() == particles_.count) {
+    stop_outside(particles_, lanes, guarded_step());
+  }
+  for (const std::size_t lane : lanes) {
+    const StoredEnergy energy = energy_of_lane(particles_, lane, materials_);
+    ledger_.remove(particles_.mass[lane], energy.kinetic + energy.strain);
+    particles_.remove(lane);
+  }
 }
 
 template <int Dim>
@@ -321,6 +337,7 @@ HistoryRow Solver<Dim>::history() {
   row.released_energy = budget.released_energy;
   row.failed_tension = ledger_.failed_tension();
   row.failed_shear = ledger_.failed_shear();
+  row.removed_energy = ledger_.removed().energy;
   return row;
 }
 

@@ -37,7 +37,7 @@ class Solver {
   /// are.
   void prepare();
   /// Sorts the particles into bins anew; step() does it when one has drifted too far from its bin.
-  /// Throws PhysicsError for a particle that is broken or out of the grid.
+  /// Particles out of the grid are taken out, or stop the run as broken ones do: PhysicsError.
   void rebin();
   /// All guards at once; step() calls it every kFullCheckEvery steps. Throws PhysicsError, else
   /// changes nothing.
@@ -49,6 +49,7 @@ class Solver {
   double critical_step_ratio() const;
   std::int64_t rebins() const { return rebins_; }
   double peak_axial_stress() const { return ledger_.peak_axial_stress(); }
+  const RemovedParticles& removed() const { return ledger_.removed(); }
   const std::optional<FirstFailure>& first_failure() const { return first_failure_; }
   /// In the order of kStageNames.
   const std::array<double, kStageNames.size()>& stage_seconds() const { return stage_seconds_; }
@@ -99,6 +100,8 @@ class Solver {
   void attach_particles();
   void finish_step();
   void note_first_failure();
+  /// Takes out the particles in these lanes, or stops; see OnExit.
+  void take_out(const std::vector<std::size_t>& lanes);
   GuardedStep guarded_step() const;
   /// After every step.
   void guard();
@@ -106,6 +109,7 @@ class Solver {
   Workers& workers_;
   const kernels::KernelTable<Dim>& kernels_;
   Integrator integrator_;
+  OnExit on_exit_;
   std::vector<kernels::MaterialConstants> materials_;
   std::vector<std::uint8_t> material_of_id_;
   Particles<Dim> particles_;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "solver.hpp"
@@ -89,9 +90,6 @@ void check_particles(Particles<Dim>& particles, std::size_t groups, std::size_t 
     seen[id] = 1;
     ++particles.count;
   }
-  if (particles.count != seen.size()) {
-    checkpoint.refuse(fmt::format("holds {} of {} particles", particles.count, seen.size()));
-  }
 }
 
 }  // namespace
@@ -164,6 +162,10 @@ void Solver<Dim>::restore(const CheckpointReader& checkpoint) {
   }
   Particles<Dim> particles = read_particles(checkpoint);
   Ledger ledger = read_ledger(checkpoint);
+  const auto there = static_cast<std::int64_t>(particles.count);
+  if (there == 0 || ledger.removed().particles != std::ssize(material_of_id_) - there) {
+    checkpoint.refuse(fmt::format("holds {} of {} particles", there, material_of_id_.size()));
+  }
   const std::optional<FirstFailure> first_failure = unpack(failure, checkpoint);
   if (is_prepared != 0) {
     grid_ = read_grid(checkpoint);

@@ -1,6 +1,8 @@
 #include "state_hash.hpp"
 
+#include <algorithm>
 #include <cstring>
+#include <limits>
 
 namespace rgimp {
 namespace {
@@ -25,12 +27,16 @@ class Fnv1a {
 
 template <int Dim>
 std::vector<std::size_t> lanes_by_id(const Particles<Dim>& particles) {
-  std::vector<std::size_t> lane(particles.count);
+  constexpr std::size_t kNoLane = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> lane(particles.count, kNoLane);
   for (std::size_t i = 0; i < particles.lanes(); ++i) {
     if (!particles.is_padding(i)) {
-      lane[particles.id[i]] = i;
+      const std::size_t id = particles.id[i];
+      lane.resize(std::max(lane.size(), id + 1), kNoLane);
+      lane[id] = i;
     }
   }
+  std::erase(lane, kNoLane);  // particles that were taken out
   return lane;
 }
 

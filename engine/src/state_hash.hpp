@@ -7,7 +7,7 @@
 
 namespace rgimp {
 
-/// The lane of each particle, by id.
+/// The lanes of the particles in order of id.
 template <int Dim>
 std::vector<std::size_t> lanes_by_id(const Particles<Dim>& particles);
 

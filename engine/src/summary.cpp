@@ -20,10 +20,15 @@ Json to_json(const FirstFailure& failure) {
           {"mode", failure.mode == FailureMode::tension ? "tension" : "shear"}};
 }
 
+Json to_json(const RemovedParticles& removed) {
+  return {
+      {"particles", removed.particles}, {"mass_kg", removed.mass}, {"energy_J", removed.energy}};
+}
+
 /// Work that is neither stored nor spent, J.
 double residual(const HistoryRow& row) {
   return row.external_work - row.kinetic_energy - row.strain_energy - row.damping_work -
-         row.viscous_work - row.released_energy;
+         row.viscous_work - row.released_energy - row.removed_energy;
 }
 
 }  // namespace
@@ -43,6 +48,7 @@ std::string format_summary(const Summary& summary) {
                   {"failed_shear", summary.failed_shear},
                   {"peak_axial_stress_Pa", summary.peak_axial_stress},
                   {"energy_error", summary.energy_error},
+                  {"removed", to_json(summary.removed)},
                   {"state_hash", fmt::format("{:016x}", summary.state_hash)}};
   return json.dump(2) + "\n";
 }

@@ -10,7 +10,7 @@ namespace rgimp {
 
 /// What summary.json says of a run.
 struct Summary {
-  std::size_t particles = 0;
+  std::size_t particles = 0;  ///< in the last state, without the removed
   std::int64_t steps = 0;
   double dt = 0.0;            ///< s
   double wall_seconds = 0.0;  ///< of the whole run, start-up left out
@@ -22,6 +22,7 @@ struct Summary {
   std::int64_t failed_shear = 0;
   double peak_axial_stress = 0.0;  ///< Pa
   double energy_error = 0.0;       ///< 1
+  RemovedParticles removed;
   std::uint64_t state_hash = 0;
 };
 

@@ -9,7 +9,7 @@ import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOHDF import vtkHDFReader
 
-from command_test import CASE, PHYSICS_STOPPED, STEPS, CommandTest
+from command_test import CASE, PHYSICS_STOPPED, STEPS, WRONG_REQUEST, CommandTest
 
 HISTORY_HEADER = (
     "step,time_s,closure_m,axial_stress_Pa,reaction_N,kinetic_energy_J,strain_energy_J,"
@@ -17,7 +17,7 @@ HISTORY_HEADER = (
 SUMMARY_KEYS = [
     "particles", "steps", "dt_s", "wall_s", "particle_steps_per_second", "isa", "threads",
     "version", "first_failure", "failed_tension", "failed_shear", "peak_axial_stress_Pa",
-    "energy_error", "state_hash"]
+    "energy_error", "removed", "state_hash"]
 PARTICLES = 20 * 40
 
 
@@ -145,6 +145,29 @@ class RunTest(CommandTest):
                          r"^rgimp: error: step \d+: particle \d+ left the grid: "
                          r"position \(0\.\d+, -?\d.*\) m, velocity \(1000, .*\) m/s, "
                          r"dt/dt_cr 0\.\d+; enlarge the grid .*\n$")
+
+    def test_particles_that_leave_are_removed_where_the_case_says_so(self):
+        fragment = ('\n[[body]]\nshape = "box"\ncenter = [7e-3, 0.0]\nsize = [1e-3, 1e-3]\n'
+                    'material = "rock"\nvelocity = [1000.0, 0.0]\n[material.rock]')
+        self.case.write_text(CASE.replace("\n[material.rock]", fragment).replace(
+            "speed = -1.0", "speed = 0.0"), encoding="utf-8")
+        arguments = ["run", self.case, "--force", "--steps", 400]
+        self.fail_with(PHYSICS_STOPPED, *arguments,
+                       says=["left the grid", 'grid.on_exit = "remove"'])
+        self.fail_with(WRONG_REQUEST, *arguments, "--set", "grid.on_exit=vanish",
+                       says=["grid.on_exit", '"vanish"', "stop, remove"])
+        result = self.rgimp(*arguments, "--set", "grid.on_exit=remove")
+        self.assertRegex(result.stderr, r"^rgimp: warning: .*grid.on_exit.*16 that left the grid, "
+                                        r"0.0026 kg, 13\d\d J\n$")
+        self.assertRegex(result.stdout, r"(?m)^removed  .*16 that left the grid, 0.0026 kg")
+        summary = self.summary()
+        self.assertEqual(summary["removed"]["particles"], 16)
+        self.assertAlmostEqual(summary["removed"]["mass_kg"], 2600 * 1e-6, delta=1e-12)
+        self.assertEqual(summary["particles"], PARTICLES)
+        self.assertLess(abs(summary["energy_error"]), 1e-3)
+        with h5py.File(self.place / "block/snapshots" / self.snapshots()[-1]) as file:
+            self.assertEqual(list(file["VTKHDF/PointData/id"]), list(range(PARTICLES)))
+        self.assertIn("0 failed", self.rgimp("cracks", "block").stdout)
 
 
 if __name__ == "__main__":

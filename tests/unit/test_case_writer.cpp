@@ -15,6 +15,7 @@ const std::string kEverything = R"(title = "quote \" backslash \\ tab \t end"
 cell_size = 0.30000000000000004e-3
 min = [-0.0171, -0.0201]
 max = [0.05, 0.02]
+on_exit = "remove"
 [[body]]
 shape = "disk"
 center = [0.1e-3, 0.2e-3]
@@ -91,6 +92,7 @@ TEST_CASE("what is written reads back to the same shapes") {
   CHECK(second.grid.cell_size == 0.30000000000000004e-3);
   CHECK(second.grid.min.value() == rgimp::Vector(-0.0171, -0.0201, 0.0));
   CHECK(second.grid.max.value() == rgimp::Vector(0.05, 0.02, 0.0));
+  CHECK(second.grid.on_exit == rgimp::OnExit::remove);
   CHECK(second.bodies.at(0).velocity == rgimp::Vector(1e-300, -7.0, 0.0));
   CHECK(second.bodies.at(0).particles_per_cell == 3);
   CHECK(second.bodies.at(0).size == rgimp::Vector(0.03, 0.0, 0.0));
@@ -137,6 +139,7 @@ TEST_CASE("the examples survive writing, and defaults are spelt out") {
     CHECK(rgimp::write_case(read_text(text)) == text);
     CHECK(text.find("integrator = \"musl\"") != std::string::npos);
     CHECK(text.find("quadratic = 1.5") != std::string::npos);
+    CHECK(text.find("on_exit = \"stop\"") != std::string::npos);
     CHECK(text.find("lateral = \"slip\"") != std::string::npos);
     CHECK(rgimp::check_case(example).empty());
   }

@@ -191,6 +191,17 @@ TEST_CASE("particles of another case are refused") {
   CHECK_THROWS_AS(trace_cracks(settings, table), CaseError);
 }
 
+TEST_CASE("particles may be missing where the case takes out what leaves the grid") {
+  Case settings = block_with({flat_slot(0.0, 0.0)});
+  ParticleTable table = intact(settings);
+  table.id.erase(table.id.begin());
+  table.failed.erase(table.failed.begin());
+  table.failure_step.erase(table.failure_step.begin());
+  CHECK_THROWS_AS(trace_cracks(settings, table), CaseError);
+  settings.grid.on_exit = OnExit::remove;
+  CHECK_NOTHROW(trace_cracks(settings, table));
+}
+
 TEST_CASE("the wings of a simulated block start at both tips and grow alike") {
   Simulation simulation(cracking_block());
   simulation.run_until(1000);

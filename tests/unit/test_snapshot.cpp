@@ -168,6 +168,18 @@ TEST_CASE("snapshots of equal particles are equal files, whenever they are writt
   CHECK((read_text(directory / "one") == read_text(directory / "other")));  // no binary output
 }
 
+TEST_CASE("a snapshot may lack particles that were taken out, where the case takes them out") {
+  const TemporaryDirectory directory;
+  ParticleTable table = three_particles();
+  table.id = {0, 2, 4};
+  write_snapshot(directory / "a", table, {});
+  CHECK(read_snapshot(directory / "a", 5, OnExit::remove).id == table.id);
+  CHECK_THROWS_AS(read_snapshot(directory / "a", 5), FileError);
+  CHECK_THROWS_AS(read_snapshot(directory / "a", 2, OnExit::remove), FileError);
+  CHECK_THROWS_WITH(read_snapshot(directory / "a", 4, OnExit::remove),
+                    Catch::Contains("id 4 is not there once"));
+}
+
 TEST_CASE("threads of one process write and read snapshots side by side") {
   const TemporaryDirectory directory;
   write_snapshot(directory / "alone", three_particles(), {5, 0.25});

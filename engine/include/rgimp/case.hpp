@@ -17,12 +17,16 @@ namespace rgimp {
 
 using Vector = Eigen::Vector3d;
 
+/// What becomes of a particle that leaves the grid: the run stops, or goes on without it.
+enum class OnExit { stop, remove };
+
 /// Background grid. Grid lines pass through the bodies' lower bounding corner, or through
 /// `min` where it is given.
 struct GridSettings {
   double cell_size = 0.0;     ///< m, edge of a square cell
   std::optional<Vector> min;  ///< m, lower corner; default: the bodies and five cells more
   std::optional<Vector> max;  ///< m, upper corner, rounded up to whole cells; default likewise
+  OnExit on_exit = OnExit::stop;
 };
 
 enum class BodyShape { box, disk };

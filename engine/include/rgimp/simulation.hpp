@@ -25,12 +25,20 @@ struct HistoryRow {
   double kinetic_energy = 0.0;  ///< J, here and below in 2D per metre of thickness
   /// J, sum of V sigma : C^-1 : s / 2; s is sigma, or the effective stress where points soften
   double strain_energy = 0.0;
-  double external_work = 0.0;    ///< J, of platens and body force
-  double damping_work = 0.0;     ///< J, taken by local damping, never falls
-  double viscous_work = 0.0;     ///< J, taken by bulk viscosity
-  double released_energy = 0.0;  ///< J, strain energy dropped by failure and damage
-  std::int64_t failed_tension = 0;
-  std::int64_t failed_shear = 0;
+  double external_work = 0.0;       ///< J, of platens and body force
+  double damping_work = 0.0;        ///< J, taken by local damping, never falls
+  double viscous_work = 0.0;        ///< J, taken by bulk viscosity
+  double released_energy = 0.0;     ///< J, strain energy dropped by failure and damage
+  std::int64_t failed_tension = 0;  ///< of all particles, those that were taken out too
+  std::int64_t failed_shear = 0;    ///< likewise
+  double removed_energy = 0.0;      ///< J, see RemovedParticles; no column of history.csv
+};
+
+/// What left the grid and was taken out, see OnExit.
+struct RemovedParticles {
+  std::int64_t particles = 0;
+  double mass = 0.0;    ///< kg (2D: kg per metre of thickness)
+  double energy = 0.0;  ///< J, kinetic and strain, that they held when they were taken out
 };
 
 /// The first particle to fail, damage 1; ties go to the lowest id.
@@ -42,7 +50,8 @@ struct FirstFailure {
   FailureMode mode = FailureMode::tension;
 };
 
-/// A copy of the particles, in order of id; columns of equal length.
+/// A copy of the particles, in order of id; columns of equal length. Ids are those of step 0: one
+/// that was taken out is missing.
 struct ParticleTable {
   std::vector<std::uint32_t> id;
   std::vector<std::array<double, 3>> position;  ///< m
@@ -64,7 +73,7 @@ struct StageTime {
 
 /// Figures of the prepared simulation, for people and for `rgimp check`.
 struct Facts {
-  std::size_t particles = 0;
+  std::size_t particles = 0;            ///< now, without those that were taken out
   std::array<std::int64_t, 3> nodes{};  ///< per axis; 1 along z in 2D
   double dt = 0.0;                      ///< s, Eq. 24
   std::int64_t total_steps = 0;
@@ -108,6 +117,7 @@ class Simulation {
   HistoryRow history() const;
   ParticleTable particles() const;
   std::optional<FirstFailure> first_failure() const;
+  RemovedParticles removed() const;
   double peak_axial_stress() const;  ///< Pa, largest over all steps, at least 0
   /// A hash of every particle's id and state in order of id: equal for equal bits.
   std::uint64_t state_hash() const;

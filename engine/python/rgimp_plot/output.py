@@ -35,6 +35,9 @@ class Snapshot:
     failed: np.ndarray
     failure_step: np.ndarray  # -1 while intact
 
+    def count(self):
+        return len(self.position) + self.left_out
+
 
 @dataclass
 class Result:

@@ -149,6 +149,7 @@ class Window:
             raise output.OutputError(f"no particle of the first snapshot, step {first.step}, has a "
                                      "finite position and stress")
         self.size = particle_size(first.position, result.case) * 1e3
+        self.particles = first.count()
         low, high = first.position.min(axis=0), first.position.max(axis=0)
         for snapshot in snapshots:
             if snapshot.position.size == 0:
@@ -203,12 +204,15 @@ class Window:
                            (snapshot.position * 1e3 > self.high)).any(axis=1).sum())
                       for snapshot in snapshots)
         lost = max(snapshot.left_out for snapshot in snapshots)
+        removed = max(self.particles - snapshot.count() for snapshot in snapshots)
         lines = []
         if outside:
             lines.append(f"{outside:,} particles lie outside the picture.")
         if lost:
             lines.append(f"{lost:,} particles are left out: their position or stress is not a "
                          "finite number.")
+        if removed > 0:
+            lines.append(f"{removed:,} particles left the grid and were taken out.")
         return lines
 
 
