@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "atomic_file.hpp"
 #include "case_names.hpp"
@@ -110,7 +111,7 @@ Json to_json(const CrackEvent& event) {
 }  // namespace
 
 Cracks trace_cracks(const fs::path& directory, std::optional<std::int64_t> until) {
-  if (!fs::exists(directory / "case.toml")) {
+  if (std::error_code ignored; !fs::exists(directory / "case.toml", ignored)) {
     throw CaseError(fmt::format("'{}' is no output directory of `rgimp run`: it has no case.toml",
                                 directory.string()));
   }

@@ -32,7 +32,7 @@ std::string read_text(const std::filesystem::path& path) {
   if (file.peek() != std::ifstream::traits_type::eof()) {
     text << file.rdbuf();
   }
-  if (file.bad() || text.bad()) {
+  if (file.bad() || text.fail()) {  // a failed read leaves `file` good
     refuse_file(path, errno);
   }
   return std::move(text).str();

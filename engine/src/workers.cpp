@@ -6,6 +6,7 @@
 #include <oneapi/tbb/task_group.h>
 
 #include <thread>
+#include <utility>
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -29,21 +30,24 @@ std::uint64_t phase_of(std::uint64_t tickets) {
   return tickets >> (2 * kIndexBits);
 }
 
-/// Numbers below 1e-308 count as zero while this lives, on its thread. Ahead of a wave fields fade
-/// through such numbers, and a step of USL there took 2.5 times as long.
-class FlushTinyNumbers {
+/// The arithmetic of a step while this lives, on its thread, whatever the application's is (on one
+/// of its threads only, the number of threads would change bits). Results are rounded to nearest.
+/// Numbers below 1e-308 count as zero: ahead of a wave fields fade through such numbers, and a step
+/// of USL there took 2.5 times as long.
+class StepArithmetic {
  public:
 #if defined(__x86_64__)
-  FlushTinyNumbers() {
-    _mm_setcsr(before_ | kFlushResults | kFlushOperands);
+  StepArithmetic() {
+    _mm_setcsr((before_ & ~kRounding) | kFlushResults | kFlushOperands);
   }
-  ~FlushTinyNumbers() {
+  ~StepArithmetic() {
     _mm_setcsr(before_);
   }
-  FlushTinyNumbers(const FlushTinyNumbers&) = delete;
-  FlushTinyNumbers& operator=(const FlushTinyNumbers&) = delete;
+  StepArithmetic(const StepArithmetic&) = delete;
+  StepArithmetic& operator=(const StepArithmetic&) = delete;
 
  private:
+  static constexpr unsigned kRounding = 0x6000;
   static constexpr unsigned kFlushResults = 0x8000;
   static constexpr unsigned kFlushOperands = 0x0040;
   unsigned before_ = _mm_getcsr();
@@ -107,21 +111,21 @@ int Workers::threads() const {
 }
 
 void Workers::region(const std::function<void()>& body) {
-  const FlushTinyNumbers flush;
+  const StepArithmetic arithmetic;
   if (threads() == 1) {
     body();
     return;
   }
   // The caller may be moved to a thread of the arena.
   arena_->arena().execute([&] {
-    const FlushTinyNumbers flush_here;
+    const StepArithmetic arithmetic_here;
     open_.store(true, std::memory_order_release);
     tbb::task_group helpers;
-    for (int t = 1; t < threads(); ++t) {
-      helpers.run(HelperTask{this});
-    }
-    // Helpers must have left before an exception of `body` goes on.
+    // Helpers must have left before an exception goes on.
     try {
+      for (int t = 1; t < threads(); ++t) {
+        helpers.run(HelperTask{this});
+      }
       body();
     } catch (...) {
       open_.store(false, std::memory_order_release);
@@ -151,6 +155,9 @@ void Workers::run(Phase phase, std::ptrdiff_t count) {
   while (done_.load(std::memory_order_acquire) != count) {
     backoff.wait();
   }
+  if (error_) {
+    std::rethrow_exception(std::exchange(error_, nullptr));
+  }
 }
 
 bool Workers::take_one() {
@@ -163,13 +170,25 @@ bool Workers::take_one() {
     return false;
   }
   // The phase cannot end, so phase_ cannot change, before this index is counted as done.
-  phase_.call(phase_.context, static_cast<std::ptrdiff_t>(next_of(ticket)));
+  visit(static_cast<std::ptrdiff_t>(next_of(ticket)));
   done_.fetch_add(1, std::memory_order_release);
   return true;
 }
 
+void Workers::visit(std::ptrdiff_t index) {
+  try {
+    phase_.call(phase_.context, index);
+  } catch (...) {
+    const std::lock_guard<std::mutex> alone(error_mutex_);
+    if (!error_ || index < error_index_) {
+      error_ = std::current_exception();
+      error_index_ = index;
+    }
+  }
+}
+
 void Workers::help() {
-  const FlushTinyNumbers flush;
+  const StepArithmetic arithmetic;
   Backoff backoff;
   while (open_.load(std::memory_order_acquire)) {
     if (take_one()) {

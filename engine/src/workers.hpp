@@ -3,8 +3,10 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <type_traits>
 
 namespace rgimp {
@@ -25,7 +27,8 @@ class Workers {
   void region(const std::function<void()>& body);
 
   /// visit(index) for 0 <= index < count < 2^24, each once, on any thread; outside a region all on
-  /// the caller. `visit` must not throw.
+  /// the caller. Throws what a visit threw, that of the lowest index where several did; the other
+  /// indices may or may not have been visited.
   template <typename Visit>
   void for_each(std::ptrdiff_t count, Visit&& visit) {
     run({[](void* context, std::ptrdiff_t index) {
@@ -45,6 +48,7 @@ class Workers {
 
   void run(Phase phase, std::ptrdiff_t count);
   bool take_one();
+  void visit(std::ptrdiff_t index);
   void help();
 
   std::unique_ptr<Arena> arena_;
@@ -54,6 +58,9 @@ class Workers {
   std::atomic<std::uint64_t> tickets_{0};
   std::atomic<std::ptrdiff_t> done_{0};
   std::atomic<bool> open_{false};
+  std::mutex error_mutex_;
+  std::exception_ptr error_;  // of the running phase
+  std::ptrdiff_t error_index_ = 0;
 };
 
 }  // namespace rgimp

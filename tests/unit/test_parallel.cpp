@@ -1,11 +1,14 @@
 #include <algorithm>
 #include <atomic>
 #include <catch2/catch.hpp>
+#include <new>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "bands.hpp"
 #include "floating_point_traps.hpp"
+#include "rgimp/error.hpp"
 #include "workers.hpp"
 
 namespace rgimp::tests {
@@ -145,6 +148,31 @@ TEST_CASE("floating-point errors are trapped on every thread, unless a test says
     REQUIRE(fegetexcept() == 0);
   }
   REQUIRE(fegetexcept() == kFloatingPointTraps);
+}
+
+TEST_CASE("an error of a visit reaches the caller as what it is, the lowest index first") {
+  for (const int threads : {1, 2, 3, 7}) {
+    Workers workers(threads);
+    for (int repeat = 0; repeat < 100; ++repeat) {
+      const auto fail = [&] {
+        workers.for_each(64, [](std::ptrdiff_t index) {
+          if (index % 7 == 3) {
+            throw PhysicsError(std::to_string(index));
+          }
+        });
+      };
+      REQUIRE_THROWS_AS(workers.region(fail), PhysicsError);
+      REQUIRE_THROWS_WITH(workers.region(fail), "3");
+      REQUIRE_THROWS_WITH(fail(), "3");
+    }
+    const auto exhaust = [&] {
+      workers.for_each(8, [](std::ptrdiff_t) { throw std::bad_alloc(); });
+    };
+    REQUIRE_THROWS_AS(workers.region(exhaust), std::bad_alloc);
+    int visits = 0;
+    workers.region([&] { workers.for_each(1, [&](std::ptrdiff_t) { ++visits; }); });
+    REQUIRE(visits == 1);
+  }
 }
 
 }  // namespace rgimp::tests

@@ -8,7 +8,8 @@
 
 namespace rgimp {
 
-/// What RGIMP throws. The command turns each kind into its own exit code.
+/// What RGIMP throws, beside std::bad_alloc where memory runs out. It never ends the process and
+/// prints nothing. The command turns each kind into its own exit code.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

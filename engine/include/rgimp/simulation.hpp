@@ -83,7 +83,10 @@ struct Facts {
 };
 
 /// A running simulation. Errors are exceptions (see error.hpp); after a PhysicsError the state is
-/// that of the step that the error names and can still be read.
+/// that of the step that the error names and can still be read. Simulations share nothing: each may
+/// be used by one thread at a time, any, while others use theirs. One that was moved from may only
+/// be assigned to or destroyed. Nothing is read from the environment but RGIMP_ISA, and that once,
+/// when a simulation is built.
 class Simulation {
  public:
   /// Throws CaseError for what check_case refuses, and for an RGIMP_ISA the machine lacks.
