@@ -10,7 +10,8 @@ HEAD = """# Mutants
 A mutant is one deliberate error in the sources, of a kind that people make: a flipped sign, a node
 off by one, a swapped component, a skipped treatment. The tests must fail for each: then it is
 killed. `mutants/*.toml` holds them as text to replace, `run.py` patches a copy of the sources,
-builds it and runs the test programs until one fails. Each row is of the mutant's last run.
+builds it and runs the test programs until one fails. The golden hashes are left out: any change
+of a bit fails them, which says nothing of what is right. Each row is of the mutant's last run.
 
 """
 
