@@ -7,6 +7,7 @@
 #include "case_names.hpp"
 #include "toml_document.hpp"
 #include "toml_reader.hpp"
+#include "unchecked_case.hpp"
 
 namespace rgimp {
 namespace {
@@ -201,8 +202,9 @@ void read_tables(const TomlReader& root, Case& settings) {
 
 }  // namespace
 
-Case read_case(const std::filesystem::path& path, std::span<const std::string> overrides) {
-  const TomlDocument document = load_document(path, overrides);
+Case parse_case(const std::string& text, const std::filesystem::path& path,
+                std::span<const std::string> overrides) {
+  const TomlDocument document = parse_document(text, path, overrides);
   const TomlReader root(document.root, "", document.source);
   root.allow_only(Keys{"title", "dimension", "grid", "body", "flaw", "material", "platen", "time",
                        "damping", "viscosity", "body_force", "output", "numerics", "tuning"});
@@ -227,6 +229,11 @@ Case read_case(const std::filesystem::path& path, std::span<const std::string> o
   read_optional_table<int>(
       root, "tuning",
       {{"threads", settings.tuning.threads}, {"bands_per_task", settings.tuning.bands_per_task}});
+  return settings;
+}
+
+Case read_case(const std::filesystem::path& path, std::span<const std::string> overrides) {
+  Case settings = parse_case(read_text(path), path, overrides);
   check_case(settings);
   return settings;
 }

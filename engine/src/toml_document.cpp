@@ -18,26 +18,6 @@ namespace {
                               std::generic_category().message(system_error)));
 }
 
-std::string read_text(const std::filesystem::path& path) {
-  if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) {
-    refuse_file(path, EISDIR);
-  }
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    refuse_file(path, errno);
-  }
-  std::ostringstream text;
-  // An empty file copies no character, which `<<` reports as a failure of `text`.
-  if (file.peek() != std::ifstream::traits_type::eof()) {
-    text << file.rdbuf();
-  }
-  if (file.bad() || text.fail()) {  // a failed read leaves `file` good
-    refuse_file(path, errno);
-  }
-  return std::move(text).str();
-}
-
 toml::table parse(const std::string& text, const std::filesystem::path& path) {
   try {
     return toml::parse(std::string_view(text));
@@ -66,14 +46,34 @@ void note_lines(const toml::node& node, const std::string& path, CaseSource& sou
 
 }  // namespace
 
-TomlDocument load_document(const std::filesystem::path& path,
-                           std::span<const std::string> overrides) {
+std::string read_text(const std::filesystem::path& path) {
+  if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) {
+    refuse_file(path, EISDIR);
+  }
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    refuse_file(path, errno);
+  }
+  std::ostringstream text;
+  // An empty file copies no character, which `<<` reports as a failure of `text`.
+  if (file.peek() != std::ifstream::traits_type::eof()) {
+    text << file.rdbuf();
+  }
+  if (file.bad() || text.bad()) {
+    refuse_file(path, errno);
+  }
+  return std::move(text).str();
+}
+
+TomlDocument parse_document(const std::string& text, const std::filesystem::path& path,
+                            std::span<const std::string> overrides) {
   TomlDocument document;
   document.source.path = path;
-  document.root = parse(read_text(path), path);
+  document.root = parse(text, path);
   note_lines(document.root, "", document.source);
-  for (const std::string& text : overrides) {
-    apply_override(document.root, text, document.source);
+  for (const std::string& change : overrides) {
+    apply_override(document.root, change, document.source);
   }
   return document;
 }

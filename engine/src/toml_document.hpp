@@ -16,9 +16,12 @@ struct TomlDocument {
   CaseSource source;
 };
 
-/// Throws FileError where the file cannot be read, CaseError for its syntax and for overrides
-/// that have no place in it.
-TomlDocument load_document(const std::filesystem::path& path,
-                           std::span<const std::string> overrides);
+/// The text of a file. Throws FileError where it cannot be read.
+std::string read_text(const std::filesystem::path& path);
+
+/// `path` is where the text came from, for messages. Throws CaseError for its syntax and for
+/// overrides that have no place in it.
+TomlDocument parse_document(const std::string& text, const std::filesystem::path& path,
+                            std::span<const std::string> overrides);
 
 }  // namespace rgimp

@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "case_check.hpp"
+#include "rgimp/rgimp.hpp"
+#include "targets.hpp"
+#include "unchecked_case.hpp"
+
+namespace rgimp::fuzz {
+namespace {
+
+constexpr const char* kFile = "fuzz.toml";
+/// A few hundred particles: two steps of them take about a millisecond under the sanitizers.
+constexpr double kTinyMachine = 4e5;  // bytes, as check_amount estimates them
+
+std::vector<std::string> overrides_in(const std::string& text) {
+  constexpr std::string_view mark = "#--set ";
+  std::vector<std::string> overrides;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(mark)) {
+      overrides.push_back(line.substr(mark.size()));
+    }
+  }
+  return overrides;
+}
+
+bool fits(const Case& settings, double machine_bytes) {
+  try {
+    check_amount(settings, machine_bytes);
+    return true;
+  } catch (const CaseError&) {
+    return false;
+  }
+}
+
+/// Neither small enough to be run here nor so large that it has to be refused.
+bool is_a_users_size(const Case& settings) {
+  return !fits(settings, kTinyMachine) && fits(settings, std::numeric_limits<double>::infinity());
+}
+
+void check_round_trip(const Case& settings) {
+  const std::string text = write_case(settings);
+  const Case again = parse_case(text, kFile);
+  check_case(again);
+  if (write_case(again) != text) {
+    throw std::logic_error("what write_case writes reads back to another case:\n" + text);
+  }
+}
+
+bool is_finite(const ParticleTable& particles) {
+  const auto all_finite = [](const auto& rows) {
+    return std::all_of(rows.begin(), rows.end(), [](const auto& row) {
+      return std::all_of(row.begin(), row.end(), [](double value) { return std::isfinite(value); });
+    });
+  };
+  return all_finite(particles.position) && all_finite(particles.velocity) &&
+         all_finite(particles.stress);
+}
+
+void take_two_steps(Case settings) {
+  settings.tuning.threads = 1;
+  try {
+    Simulation simulation(std::move(settings));
+    simulation.run_until(std::min<std::int64_t>(2, simulation.facts().total_steps));
+    if (!is_finite(simulation.particles())) {
+      throw std::logic_error("a state that is not finite went unnoticed");
+    }
+  } catch (const PhysicsError&) {  // too fast, out of the grid: said so, and that is right
+  }
+}
+
+}  // namespace
+
+void try_case(std::string_view bytes) {
+  const std::string text(bytes);
+  Case settings;
+  try {
+    settings = parse_case(text, kFile, overrides_in(text));
+    if (is_a_users_size(settings)) {
+      return;
+    }
+    check_case(settings);
+  } catch (const CaseError&) {
+    return;
+  }
+  check_round_trip(settings);
+  take_two_steps(std::move(settings));
+}
+
+}  // namespace rgimp::fuzz
