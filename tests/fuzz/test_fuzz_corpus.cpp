@@ -25,17 +25,34 @@ std::string bytes_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-void replay(const std::string& target, void (*try_input)(std::string_view)) {
+/// How many of a target's inputs were used.
+int replay(const std::string& target, rgimp::fuzz::Outcome (*try_input)(std::string_view)) {
   const std::vector<fs::path> inputs = inputs_in(fs::path(RGIMP_FUZZ_CORPUS) / target);
-  REQUIRE_FALSE(inputs.empty());
+  int used = 0;
   for (const fs::path& input : inputs) {
     INFO(input.string());
-    CHECK_NOTHROW(try_input(bytes_of(input)));
+    try {
+      used += try_input(bytes_of(input)) == rgimp::fuzz::Outcome::used ? 1 : 0;
+    } catch (const std::exception& error) {
+      FAIL_CHECK(error.what());
+    }
   }
+  return used;
 }
 
 }  // namespace
 
 TEST_CASE("every case file of the corpus is refused or runs") {
-  replay("case", rgimp::fuzz::try_case);
+  CHECK(replay("case", rgimp::fuzz::try_case) > 0);
+}
+
+TEST_CASE("every checkpoint of the corpus is refused or goes on") {
+  CHECK(replay("checkpoint", rgimp::fuzz::try_checkpoint) > 0);
+}
+
+TEST_CASE("the fuzzer of checkpoints starts from some that can be used") {
+  for (const std::int64_t steps : {0, 1, 60}) {
+    CHECK(rgimp::fuzz::try_checkpoint(rgimp::fuzz::tiny_checkpoint(steps)) ==
+          rgimp::fuzz::Outcome::used);
+  }
 }

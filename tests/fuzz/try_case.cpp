@@ -77,20 +77,21 @@ void take_two_steps(Case settings) {
 
 }  // namespace
 
-void try_case(std::string_view bytes) {
+Outcome try_case(std::string_view bytes) {
   const std::string text(bytes);
   Case settings;
   try {
     settings = parse_case(text, kFile, overrides_in(text));
     if (is_a_users_size(settings)) {
-      return;
+      return Outcome::refused;
     }
     check_case(settings);
   } catch (const CaseError&) {
-    return;
+    return Outcome::refused;
   }
   check_round_trip(settings);
   take_two_steps(std::move(settings));
+  return Outcome::used;
 }
 
 }  // namespace rgimp::fuzz
