@@ -56,7 +56,7 @@ std::string describe(const RemovedParticles& removed) {
 }
 
 void print_line(std::string_view name, std::string_view value) {
-  fmt::print("{:<15} {}\n", name, value);
+  fmt::print("{:<15} {}\n", name, printable(value));
 }
 
 std::string describe_speed(double particle_steps_per_second) {

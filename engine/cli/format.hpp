@@ -2,8 +2,9 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
-/// Numbers as people read them.
+/// Numbers as people read them, and text of files as a terminal may be given it.
 namespace rgimp::cli {
 
 /// 79618 -> "79,618"
@@ -12,5 +13,8 @@ std::string with_separators(std::int64_t number);
 std::string format_duration(double seconds);
 /// 7340032 -> "7.0 MiB"
 std::string format_bytes(std::size_t bytes);
+/// Text of a case or a file name with everything that a terminal would obey, or that is no UTF-8,
+/// written as \xNN: a case must not move the cursor, set colours or forge lines.
+std::string printable(std::string_view text);
 
 }  // namespace rgimp::cli

@@ -16,6 +16,8 @@ namespace rgimp {
 AtomicFile::AtomicFile(std::filesystem::path target)
     : target_(std::move(target)), temporary_(target_) {
   temporary_ += kTemporarySuffix;
+  std::error_code ignored;  // what is left there may be a link, through which we would write
+  std::filesystem::remove(temporary_, ignored);
 }
 
 AtomicFile::~AtomicFile() {

@@ -52,6 +52,14 @@ SnapshotFile last_snapshot(const fs::path& directory) {
   return last;
 }
 
+/// A pipe or device would be waited for.
+void require_regular_file(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) {
+    throw FileError(fmt::format("cannot read '{}': not a regular file", path.string()));
+  }
+}
+
 /// What failed after `step` is intact again.
 void forget_after(std::int64_t step, ParticleTable& particles) {
   for (std::size_t row = 0; row < particles.size(); ++row) {
@@ -111,12 +119,15 @@ Json to_json(const CrackEvent& event) {
 }  // namespace
 
 Cracks trace_cracks(const fs::path& directory, std::optional<std::int64_t> until) {
-  if (std::error_code ignored; !fs::exists(directory / "case.toml", ignored)) {
+  std::error_code ignored;
+  if (!fs::exists(fs::symlink_status(directory / "case.toml", ignored))) {
     throw CaseError(fmt::format("'{}' is no output directory of `rgimp run`: it has no case.toml",
                                 directory.string()));
   }
+  require_regular_file(directory / "case.toml");
   const Case settings = read_case(directory / "case.toml");
   const SnapshotFile last = last_snapshot(directory);
+  require_regular_file(last.path);
   ParticleTable particles =
       read_snapshot(last.path, seed_particles(settings).size(), settings.grid.on_exit);
   if (until) {

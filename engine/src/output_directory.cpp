@@ -87,6 +87,22 @@ void remove_own_files(const fs::path& directory) {
   remove_files(directory, is_top_file);
 }
 
+/// Through a link we would delete and write outside the output directory. A file's link is itself
+/// replaced, but where a run goes on.
+void refuse_links(const fs::path& directory, ExistingOutput existing) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
+    const fs::path name = entry.path().filename();
+    const bool is_followed = name == kSnapshots || name == kPictures ||
+                             (existing == ExistingOutput::resume && is_top_file(name));
+    if (entry.is_symlink() && is_followed) {
+      throw FileError(
+          fmt::format("cannot use output directory '{}': '{}' in it is a symbolic link, which may "
+                      "lead out of it",
+                      directory.string(), name.string()));
+    }
+  }
+}
+
 }  // namespace
 
 NewDirectories::~NewDirectories() {
@@ -138,6 +154,7 @@ OutputDirectory::OutputDirectory(fs::path path, ExistingOutput existing) : path_
     }
     new_directories_.create(path_);
     lock_.take(path_);
+    refuse_links(path_, existing);
     if (is_used && existing == ExistingOutput::replace) {
       clear();
     }

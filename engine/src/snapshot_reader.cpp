@@ -4,6 +4,7 @@
 
 #include <array>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "hdf5_image.hpp"
@@ -42,9 +43,13 @@ class SnapshotReader {
   /// column read says how many particles there are, which holds for all others.
   template <typename Row>
   void read(const std::string& name, std::vector<Row>& values) {
+    refuse_links(name);
     const std::string action = fmt::format("read '{}' of '{}'", name, path_);
     const Hdf5Handle dataset(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), H5Dclose, action);
     check_extent(dataset.get(), name, kColumns<Row>);
+    check_type(dataset.get(), name,
+               std::is_floating_point_v<typename BasicNumber<Row>::Type> ? H5T_FLOAT : H5T_INTEGER);
+    check_storage(dataset.get(), name);
     values.resize(least_);
     const hid_t type = hdf5_type<typename BasicNumber<Row>::Type>();
     if (H5Dread(dataset.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
@@ -57,6 +62,49 @@ class SnapshotReader {
   }
 
  private:
+  /// Links may lead to other files, which a snapshot has no business to read. No later part of the
+  /// name is looked at before the earlier ones are known to lie in this file.
+  void refuse_links(const std::string& name) const {
+    for (std::size_t end = name.find('/');; end = name.find('/', end + 1)) {
+      const std::string part = name.substr(0, end);
+      H5L_info_t link{};
+      if (H5Lget_info(file_.get(), part.c_str(), &link, H5P_DEFAULT) < 0) {
+        refuse(fmt::format("there is no '{}' in it", part));
+      }
+      if (link.type != H5L_TYPE_HARD) {
+        refuse(fmt::format("'{}' is a link, not data of this file", part));
+      }
+      if (end == std::string::npos) {
+        return;
+      }
+    }
+  }
+
+  void check_type(hid_t dataset, const std::string& name, H5T_class_t wanted) const {
+    const Hdf5Handle type(H5Dget_type(dataset), H5Tclose, fmt::format("read '{}'", path_));
+    if (H5Tget_class(type.get()) != wanted) {
+      refuse(fmt::format("'{}' does not hold {} numbers", name,
+                         wanted == H5T_FLOAT ? "real" : "whole"));
+    }
+  }
+
+  /// As rgimp writes them: numbers in one piece in this file. Everything else could be in other
+  /// files, need filters, which HDF5 loads as plug-ins, or grow beyond the file's size.
+  void check_storage(hid_t dataset, const std::string& name) const {
+    const std::string action = fmt::format("read '{}'", path_);
+    const Hdf5Handle properties(H5Dget_create_plist(dataset), H5Pclose, action);
+    const H5D_layout_t layout = H5Pget_layout(properties.get());
+    const bool is_plain = (layout == H5D_CONTIGUOUS || layout == H5D_COMPACT) &&
+                          H5Pget_external_count(properties.get()) == 0 &&
+                          H5Pget_nfilters(properties.get()) == 0;
+    const Hdf5Handle type(H5Dget_type(dataset), H5Tclose, action);
+    const Hdf5Handle space(H5Dget_space(dataset), H5Sclose, action);
+    const auto values = static_cast<hsize_t>(H5Sget_simple_extent_npoints(space.get()));
+    if (!is_plain || H5Dget_storage_size(dataset) != values * H5Tget_size(type.get())) {
+      refuse(fmt::format("'{}' is not stored as plain numbers in one piece", name));
+    }
+  }
+
   void check_extent(hid_t dataset, const std::string& name, std::size_t columns) {
     const Hdf5Handle space(H5Dget_space(dataset), H5Sclose, fmt::format("read '{}'", path_));
     const int wanted_rank = columns == 1 ? 1 : 2;

@@ -4,7 +4,6 @@
 
 #include <cerrno>
 #include <fstream>
-#include <sstream>
 #include <system_error>
 
 #include "rgimp/error.hpp"
@@ -13,12 +12,33 @@
 namespace rgimp {
 namespace {
 
+constexpr std::size_t kLongestCase = std::size_t{64} << 20;  // bytes
+constexpr std::size_t kMostDots = 100;
+
 [[noreturn]] void refuse_file(const std::filesystem::path& path, int system_error) {
   throw FileError(fmt::format("cannot read {}: {}", path.string(),
                               std::generic_category().message(system_error)));
 }
 
+/// The parser limits how deep values nest, but not keys; a.a.a... a million deep, it overflows the
+/// stack. What could be one key holds none of the characters that end one; comments and strings may
+/// have as many dots as nobody writes.
+void refuse_deep_keys(const std::string& text, const std::filesystem::path& path) {
+  constexpr std::string_view ends = "\n=,{}[]#";
+  std::size_t dots = 0;
+  std::size_t line = 1;
+  for (const char c : text) {
+    line += c == '\n' ? 1 : 0;
+    dots = ends.find(c) != std::string_view::npos ? 0 : dots + (c == '.' ? 1 : 0);
+    if (dots > kMostDots) {
+      throw CaseError(fmt::format("{}:{}: more than {} dots in a row of names", path.string(), line,
+                                  kMostDots));
+    }
+  }
+}
+
 toml::table parse(const std::string& text, const std::filesystem::path& path) {
+  refuse_deep_keys(text, path);
   try {
     return toml::parse(std::string_view(text));
   } catch (const toml::parse_error& error) {
@@ -55,15 +75,19 @@ std::string read_text(const std::filesystem::path& path) {
   if (!file) {
     refuse_file(path, errno);
   }
-  std::ostringstream text;
-  // An empty file copies no character, which `<<` reports as a failure of `text`.
-  if (file.peek() != std::ifstream::traits_type::eof()) {
-    text << file.rdbuf();
+  std::string text;
+  std::string piece(std::size_t{1} << 16, '\0');
+  while (file.read(piece.data(), static_cast<std::streamsize>(piece.size())) || file.gcount() > 0) {
+    text.append(piece, 0, static_cast<std::size_t>(file.gcount()));
+    if (text.size() > kLongestCase) {  // /dev/zero has no end
+      throw FileError(fmt::format("cannot read {}: longer than {} MiB, which no case file is",
+                                  path.string(), kLongestCase >> 20));
+    }
   }
-  if (file.bad() || text.bad()) {
+  if (file.bad()) {
     refuse_file(path, errno);
   }
-  return std::move(text).str();
+  return text;
 }
 
 TomlDocument parse_document(const std::string& text, const std::filesystem::path& path,

@@ -16,7 +16,7 @@ struct TomlDocument {
   CaseSource source;
 };
 
-/// The text of a file. Throws FileError where it cannot be read.
+/// The text of a file. Throws FileError where it cannot be read or is longer than any case.
 std::string read_text(const std::filesystem::path& path);
 
 /// `path` is where the text came from, for messages. Throws CaseError for its syntax and for

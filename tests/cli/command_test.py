@@ -55,11 +55,15 @@ class CommandTest(unittest.TestCase):
         self.case = self.place / "block.toml"
         self.case.write_text(CASE, encoding="utf-8")
 
+    def attempt(self, *arguments, pass_fds=(), **environment):
+        """Runs the command in the test's directory."""
+        return subprocess.run(
+            [COMMAND, *map(str, arguments)], cwd=self.place, capture_output=True, text=True,
+            timeout=120, check=False, env=os.environ | environment, pass_fds=pass_fds)
+
     def rgimp(self, *arguments, code=DONE, **environment):
         """Runs the command in the test's directory and checks its exit code."""
-        result = subprocess.run(
-            [COMMAND, *map(str, arguments)], cwd=self.place, capture_output=True, text=True,
-            timeout=120, check=False, env=os.environ | environment)
+        result = self.attempt(*arguments, **environment)
         self.assertEqual(result.returncode, code, result.stdout + result.stderr)
         return result
 

@@ -15,6 +15,7 @@ HISTORY_COLUMNS = (
 SNAPSHOT_NAME = re.compile(r"step_(\d{9,})\.vtkhdf")
 INTACT, TENSION, SHEAR = 0, 1, 2
 USAGE, IO = 2, 4  # exit codes
+LONGEST_TITLE = 300  # letters; a picture has room for no more
 
 
 class OutputError(Exception):
@@ -78,7 +79,8 @@ class Result:
         return int(last.failure_step[failed].min()) if failed.any() else None
 
     def title(self):
-        return str(self.case.get("title") or "untitled case")
+        title = str(self.case.get("title") or "untitled case")
+        return title if len(title) <= LONGEST_TITLE else title[:LONGEST_TITLE] + " ..."
 
     def local_damping(self):
         return float(self.case.get("damping", {}).get("local", 0.0))
@@ -89,7 +91,7 @@ def read(directory):
     if not directory.is_dir():
         raise OutputError(f"no such directory: {directory}", USAGE)
     for name in ("case.toml", "history.csv"):
-        if not (directory / name).exists():
+        if not (directory / name).is_file():
             raise OutputError(f"{directory} is not an output directory of `rgimp run`: "
                               f"{name} is missing", USAGE)
     case = read_text(directory / "case.toml", tomllib.loads)
@@ -105,7 +107,7 @@ def read(directory):
                         (summary_path, result.first_failure_step)):
         try:
             value()
-        except (AttributeError, KeyError, TypeError, ValueError) as error:
+        except (ArithmeticError, AttributeError, KeyError, TypeError, ValueError) as error:
             raise OutputError(f"{path} is damaged: {type(error).__name__} {error}") from None
     return result
 
@@ -115,7 +117,7 @@ def read_text(path, parse):
         return parse(path.read_text(encoding="utf-8"))
     except OSError as error:
         raise OutputError(f"cannot read {path}: {error.strerror}") from None
-    except ValueError as error:  # broken UTF-8, TOML or JSON
+    except (ValueError, RecursionError) as error:  # broken UTF-8, TOML or JSON
         raise OutputError(f"{path} is damaged: {error}") from None
 
 
@@ -153,11 +155,12 @@ def list_snapshots(folder):
 
 
 def read_snapshot(path, step):
+    if not path.is_file():  # a pipe would be waited for
+        raise OutputError(f"cannot read {path}: not a regular file")
     try:
         with h5py.File(path) as file:
-            root = file["VTKHDF"]
-            position = np.asarray(root["Points"], dtype=float)
-            data = {name: np.asarray(root["PointData"][name])
+            position = read_numbers(file, "VTKHDF/Points").astype(float)
+            data = {name: read_numbers(file, f"VTKHDF/PointData/{name}")
                     for name in ("max_principal_stress", "failed", "failure_step")}
     except KeyError as error:
         raise OutputError(f"{path} is not a snapshot: {error.args[0]}") from None
@@ -172,6 +175,28 @@ def read_snapshot(path, step):
     drawable = np.isfinite(position).all(axis=1) & np.isfinite(data["max_principal_stress"])
     return Snapshot(step, int(np.count_nonzero(~drawable)), position[drawable, :2],
                     **{name: column[drawable] for name, column in data.items()})
+
+
+def read_numbers(file, name):
+    """A dataset as rgimp writes it. Links and outside storage lead to other files, filters load
+    plug-ins, and what is stored in chunks may grow beyond all memory."""
+    place = file
+    for part in name.split("/"):
+        if not isinstance(place.get(part, getlink=True), h5py.HardLink):
+            raise KeyError(f"{name} is missing, or a link")
+        place = place[part]
+    if not isinstance(place, h5py.Dataset) or place.dtype.kind not in "iuf":
+        raise TypeError(f"{name} does not hold numbers")
+    if place.chunks or place.external or place.is_virtual or \
+            place.id.get_storage_size() != place.size * place.dtype.itemsize:
+        raise TypeError(f"{name} is not stored as plain numbers in one piece")
+    return place[()]
+
+
+def printable(text):
+    """Without what a terminal would obey: cases and files may hold anything."""
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode()
+                   for c in str(text))
 
 
 def save_picture(figure, path, dpi):

@@ -33,7 +33,7 @@ def wrap(text, inches, size):
 
 def add_title(figure, text):
     figure.suptitle(wrap(text, figure.get_figwidth(), TITLE_SIZE), fontsize=TITLE_SIZE, va="top",
-                    y=1 - 0.1 / figure.get_figheight())
+                    y=1 - 0.1 / figure.get_figheight(), parse_math=False)
 
 
 def title_height(text, inches):
