@@ -10,6 +10,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 stages=( # NAME | gate or nightly | what it does
   "tests|gate|every test of the release build"
   "sanitized|nightly|case files, output, checkpoints, cracks and small runs under ASan and UBSan"
+  "fuzz|gate|each fuzzer on its corpus and on for 10 s, under ASan and UBSan"
   "asan-ubsan|nightly|every test under AddressSanitizer and UndefinedBehaviorSanitizer"
   "tsan|nightly|every test under ThreadSanitizer; tests/tsan.supp lists what is let pass"
   "debug|nightly|every test of the debug build, whose warnings are errors"
@@ -50,6 +51,12 @@ stage_sanitized() {
     build/asan-ubsan/tests/"$program"
   done
   small_run build/asan-ubsan/bin/rgimp
+}
+
+stage_fuzz() {
+  install_packages clang libclang-rt-dev
+  bash "$rgimp_root/tests/fuzz/run.sh" case 10
+  bash "$rgimp_root/tests/fuzz/run.sh" checkpoint 10
 }
 
 stage_asan_ubsan() { test_preset asan-ubsan; }

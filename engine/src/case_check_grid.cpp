@@ -41,6 +41,21 @@ double count_lattice_points(const Case& settings) {
   return points;
 }
 
+/// Far from the origin positions are rounded too coarsely for cells: a moving particle would stand.
+void check_distance(const Case& settings) {
+  constexpr double kMostCells = 1e8;  // rounds positions to 1.5e-8 cells
+  const Box bodies = bounds(settings);
+  const double farthest =
+      std::max(bodies.min.cwiseAbs().maxCoeff(), bodies.max.cwiseAbs().maxCoeff());
+  if (farthest > kMostCells * settings.grid.cell_size) {
+    ValueChecker(settings).refuse(
+        "grid.cell_size",
+        fmt::format("is {}, and the bodies reach {:.6g} m from the origin, where positions are "
+                    "rounded too coarsely for such cells; expected {:.0e} cells at most",
+                    settings.grid.cell_size, farthest, kMostCells));
+  }
+}
+
 void check_margin(const Case& settings, const GridExtent& extent) {
   constexpr std::array<std::string_view, 2> kBelow{"left of", "below"};
   constexpr std::array<std::string_view, 2> kAbove{"right of", "above"};
@@ -124,6 +139,7 @@ void check_amount(const Case& settings, double machine_bytes) {
 
 void check_grid(const Case& settings) {
   check_amount(settings, machine_memory());
+  check_distance(settings);
   const GridExtent extent = grid_extent(settings);
   check_margin(settings, extent);
   for (std::size_t i = 0; i < settings.platens.size(); ++i) {

@@ -83,6 +83,20 @@ void check_fracture_energies(const ValueChecker& check, const std::string& path,
              "2 mu shear_fracture_energy / shear strength^2");
 }
 
+/// Beyond these, squares of speeds, masses and energies are no longer numbers.
+void check_time_step(const Case& settings) {
+  constexpr double shortest = 1e-30;
+  constexpr double longest = 1e30;
+  const double dt = time_step(settings);
+  if (!(dt >= shortest && dt <= longest)) {
+    ValueChecker(settings).refuse(
+        "time.step_factor",
+        fmt::format("makes steps of {:.3g} s with this cell_size, density and youngs_modulus; "
+                    "expected {} to {} s",
+                    dt, shortest, longest));
+  }
+}
+
 void check_number_of_steps(const Case& settings) {
   const ValueChecker check(settings);
   const TimeSettings& time = settings.time;
@@ -159,6 +173,7 @@ void check_time(const Case& settings) {
     check.refuse("time.step_factor",
                  fmt::format("is {}; expected less than 1", settings.time.step_factor));
   }
+  check_time_step(settings);
   check_number_of_steps(settings);
   check_output(settings);
 }

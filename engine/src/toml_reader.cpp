@@ -174,7 +174,8 @@ void TomlReader::convert(const toml::node& from, const std::string& path,
   }
   to.clear();
   for (const toml::node& element : *from.as_array()) {
-    convert(element, fmt::format("{}[{}]", path, to.size()), to.emplace_back());
+    const std::string place = fmt::format("{}[{}]", path, to.size());
+    convert(element, place, to.emplace_back());
   }
 }
 
