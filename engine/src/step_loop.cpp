@@ -25,7 +25,9 @@ void StepLoop::advance(std::int64_t stop) {
   const double seconds = std::chrono::duration<double>(end - begin).count();
   const std::int64_t steps = simulation_.steps_done() - start;
   seconds_ += seconds;
-  steps_ += steps;
+  // Particles may leave on the way: those at the end of the chunk count.
+  particle_steps_ +=
+      static_cast<double>(steps) * static_cast<double>(simulation_.facts().particles);
   chunk_.learn(steps, seconds);
   if (std::chrono::duration<double>(end - last_report_).count() >= kPace) {
     report();
@@ -43,8 +45,7 @@ void StepLoop::report() {
 }
 
 double StepLoop::particle_steps_per_second() const {
-  const double work = static_cast<double>(steps_) * static_cast<double>(facts_.particles);
-  return seconds_ > 0.0 ? work / seconds_ : 0.0;
+  return seconds_ > 0.0 ? particle_steps_ / seconds_ : 0.0;
 }
 
 }  // namespace rgimp

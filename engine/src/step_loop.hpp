@@ -27,8 +27,8 @@ class StepLoop {
   std::int64_t first_step_;
   ChunkSize chunk_;
   Clock::time_point last_report_ = Clock::now();
-  double seconds_ = 0.0;    // in steps_
-  std::int64_t steps_ = 0;  // of finished chunks
+  double seconds_ = 0.0;         // of finished chunks
+  double particle_steps_ = 0.0;  // likewise
 };
 
 }  // namespace rgimp

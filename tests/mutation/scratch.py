@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from table import ROOT
 
 # The test programs, from the fastest to the slowest.
-PROGRAMS = ("binning", "parallel", "failure", "geometry", "case_file", "output", "shape",
+PROGRAMS = ("binning", "guards", "parallel", "failure", "geometry", "case_file", "output", "shape",
             "conservation", "kernels", "platens", "cracking", "elastic", "determinism",
             "checkpoint")
 # Slow tests of the command, for mutants that name them.

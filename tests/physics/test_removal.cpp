@@ -1,4 +1,6 @@
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
 #include <set>
 #include <string>
 
@@ -73,6 +75,27 @@ TEST_CASE("the energy that removed particles take along is accounted for") {
     CHECK(last.kinetic_energy == Approx(0.5 * 2600.0 * 16e-6));
     CHECK(std::abs(energy_error(first, last, 0.0)) < 1e-9);
   }
+}
+
+TEST_CASE("a loaded particle takes its strain energy along") {
+  Case settings = cracking_block();
+  settings.grid.on_exit = OnExit::remove;
+  Model model(settings);
+  model.steps(300);
+  const HistoryRow before = model.solver.history();
+  Particles<2>& particles = model.solver.particles();
+  const std::size_t lane = lanes_by_id(particles)[100];
+  particles.position[1][lane] += 1.0;
+  const double kinetic =
+      0.5 * particles.mass[lane] *
+      (std::pow(particles.velocity[0][lane], 2) + std::pow(particles.velocity[1][lane], 2));
+  model.solver.rebin();
+  const HistoryRow after = model.solver.history();
+  CHECK(after.removed_energy > 1.1 * kinetic);
+  const double held = before.kinetic_energy + before.strain_energy;
+  CHECK(after.kinetic_energy + after.strain_energy + after.removed_energy ==
+        Approx(held).epsilon(1e-13));
+  CHECK(after.removed_energy > 1e-9 * held);
 }
 
 TEST_CASE("removals have the same bits for any number of threads") {

@@ -137,6 +137,18 @@ class PicturesTest(PlotTest):
             bottom = pixels(self.picture(name))[-12:]
             self.assertGreater(int((bottom < 200).sum()), 100, name)  # small print
 
+    def test_particles_that_left_are_counted(self):
+        self.write()
+        self.draw("--step", 3000)
+        whole = count(self.picture("crack.png"), BLUE)
+        staying = self.position[self.position[:, 1] >= -5e-3]  # three quarters of the block
+        synthetic.write_snapshot(self.directory, 3000, staying)
+        self.draw("--step", 3000)
+        self.assertAlmostEqual(count(self.picture("crack.png"), BLUE) / whole, 0.75, delta=0.02)
+        for name in ("crack.png", "stress.png", "growth.png"):
+            bottom = pixels(self.picture(name))[-12:]
+            self.assertGreater(int((bottom < 200).sum()), 100, name)  # small print
+
     def test_nothing_finite_at_the_end(self):
         self.write()
         everywhere = np.full_like(self.position, np.nan)
