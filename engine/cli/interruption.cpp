@@ -6,6 +6,8 @@ namespace rgimp::cli {
 
 namespace {
 
+constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+
 volatile std::sig_atomic_t g_signal = 0;  // 0: none yet; a handler can reach nothing else
 
 void note(int signal) {
@@ -18,15 +20,16 @@ void note(int signal) {
 Interruption::Interruption() {
   g_signal = 0;
   std::signal(SIGXFSZ, SIG_IGN);
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : kSignals) {
     if (std::signal(signal, note) == SIG_IGN) {
-      std::signal(signal, SIG_IGN);  // a shell's background job is not meant to be interrupted
+      std::signal(signal, SIG_IGN);  // nohup and background jobs are not meant to be interrupted
     }
   }
 }
 
 Interruption::~Interruption() {
-  for (const int signal : {SIGINT, SIGTERM, SIGXFSZ}) {
+  std::signal(SIGXFSZ, SIG_DFL);
+  for (const int signal : kSignals) {
     std::signal(signal, SIG_DFL);
   }
 }

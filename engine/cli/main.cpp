@@ -81,7 +81,9 @@ void add_run(CLI::App& app, RunArguments& arguments, int& exit_code) {
       "  rgimp run single_flaw.toml --force --set time.integrator=usl --steps 1000\n"
       "  rgimp run single_flaw.toml --resume\n"
       "\n"
-      "SIGINT (Ctrl-C) and SIGTERM end a run with a checkpoint; --resume goes on from there.");
+      "Ctrl-C (SIGINT), SIGTERM, SIGHUP and SIGPIPE end a run with a checkpoint; --resume goes on\n"
+      "from there. Threads, output and the number of steps may have changed meanwhile; what was\n"
+      "written before stays as it was.");
   command->callback([&arguments, &exit_code] { exit_code = run(arguments); });
 }
 
@@ -131,8 +133,8 @@ void describe_app(CLI::App& app) {
       "  rgimp run --help                  options of a subcommand\n"
       "\n"
       "Exit codes: 0 done, 2 wrong command line or case, 3 the physics stopped the run,\n"
-      "4 a file or directory could not be read or written, 130 and 143 stopped by SIGINT and\n"
-      "SIGTERM, 1 anything unexpected.\n"
+      "4 a file or directory could not be read or written, 128 and more stopped by a signal (130\n"
+      "Ctrl-C), 1 anything unexpected.\n"
       "RGIMP_ISA chooses the instruction set (see rgimp info).");
 }
 

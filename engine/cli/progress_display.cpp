@@ -105,7 +105,8 @@ void ProgressDisplay::show_as_line(const Progress& progress) {
   if (now < next_line_) {
     return;
   }
-  fmt::print("{} %  {}\n", percent_of(progress), describe(progress));
+  // Not fmt::print, which throws where nobody reads on: a run is worth more than its progress.
+  std::fputs(fmt::format("{} %  {}\n", percent_of(progress), describe(progress)).c_str(), stdout);
   std::fflush(stdout);
   next_line_ = now + kLinePace;
 }

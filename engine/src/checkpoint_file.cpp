@@ -37,6 +37,12 @@ std::uint64_t word_at(std::string_view bytes, std::size_t place) {
   return value;
 }
 
+/// A pipe or device, which may have no end, or block.
+bool is_special(const std::filesystem::path& path) {
+  std::error_code ignored;  // one that is not there is not special
+  return std::filesystem::is_other(path, ignored);
+}
+
 std::size_t size_of(std::string_view type) {
   return type == "uint8" ? 1 : type == "int32" || type == "uint32" ? 4 : 8;
 }
@@ -163,6 +169,9 @@ void CheckpointReader::copy(std::string_view bytes, void* target) {
 }
 
 std::string read_bytes(const std::filesystem::path& path) {
+  if (is_special(path)) {
+    throw FileError(fmt::format("cannot read '{}': it is not a regular file", path.string()));
+  }
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (error) {
@@ -177,6 +186,9 @@ std::string read_bytes(const std::filesystem::path& path) {
 }
 
 std::optional<std::int64_t> claimed_step(const std::filesystem::path& path) {
+  if (is_special(path)) {
+    return std::nullopt;
+  }
   std::ifstream file(path, std::ios::binary);
   std::string head(kHead, '\0');
   if (!file.read(head.data(), static_cast<std::streamsize>(head.size())) ||

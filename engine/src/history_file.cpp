@@ -13,15 +13,9 @@ namespace rgimp {
 
 namespace {
 
-/// Returns `path` once the file is as it was at `past`.
+/// Returns `path` once the file has no more bytes than at `past`.
 const std::filesystem::path& cut_back(const std::filesystem::path& path,
                                       const HistoryFile::Extent& past) {
-  const std::string bytes = read_bytes(path);
-  if (bytes.size() < past.bytes ||
-      checksum_of(std::string_view(bytes).substr(0, past.bytes)) != past.checksum) {
-    throw FileError(fmt::format("'{}' is no longer what it was when the checkpoint was written",
-                                path.string()));
-  }
   std::error_code error;
   std::filesystem::resize_file(path, past.bytes, error);
   if (error) {
@@ -42,6 +36,12 @@ std::string format_history_row(const HistoryRow& row) {
 HistoryFile::HistoryFile(std::filesystem::path path)
     : path_(std::move(path)), stream_(path_, OutputStream::Start::empty) {
   write(fmt::format("{}\n", kHistoryHeader));
+}
+
+bool HistoryFile::reaches(const std::filesystem::path& path, const Extent& past) {
+  const std::string bytes = read_bytes(path);
+  return bytes.size() >= past.bytes &&
+         checksum_of(std::string_view(bytes).substr(0, past.bytes)) == past.checksum;
 }
 
 HistoryFile::HistoryFile(std::filesystem::path path, const Extent& past)

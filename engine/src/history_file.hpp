@@ -30,8 +30,9 @@ class HistoryFile {
   };
 
   explicit HistoryFile(std::filesystem::path path);
-  /// Goes on with a file of an earlier run, cut back to `past`. Throws FileError, and leaves it
-  /// alone, where it is shorter or another one up to there.
+  /// Whether a file holds what it held at `past`, and maybe more.
+  static bool reaches(const std::filesystem::path& path, const Extent& past);
+  /// Goes on with a file that reaches `past`, cut back to there.
   HistoryFile(std::filesystem::path path, const Extent& past);
 
   void append(const HistoryRow& row);

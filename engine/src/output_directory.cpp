@@ -145,15 +145,15 @@ OutputDirectory::OutputDirectory(fs::path path, ExistingOutput existing) : path_
     if (fs::exists(path_) && !fs::is_directory(path_)) {
       fail(path_, std::make_error_code(std::errc::not_a_directory));
     }
-    const bool is_used = fs::exists(path_) && !fs::is_empty(path_);
+    new_directories_.create(path_);
+    lock_.take(path_);  // before looking: another run may just come to its end here
+    const bool is_used = !fs::is_empty(path_);
     if (is_used && existing == ExistingOutput::refuse) {
       throw CaseError(fmt::format(
           "output directory '{}' is not empty: choose another one, go on with its run with "
           "--resume, or replace its results with --force",
           path_.string()));
     }
-    new_directories_.create(path_);
-    lock_.take(path_);
     refuse_links(path_, existing);
     if (is_used && existing == ExistingOutput::replace) {
       clear();

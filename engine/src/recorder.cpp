@@ -51,20 +51,15 @@ struct Recorder::Past {
   std::vector<SnapshotTime> snapshots;
   std::string isa;
 
-  explicit Past(std::string_view note) {
-    try {
-      const Json json = Json::parse(note);
-      history.bytes = json.at("history_bytes").get<std::uint64_t>();
-      history.checksum = json.at("history_checksum").get<std::uint64_t>();
-      first_row = history_row(json.at("first_row"));
-      last_row = history_row(json.at("last_row"));
-      isa = json.at("isa").get<std::string>();
-      largest_work = json.at("largest_work").get<double>();
-      for (const Json& snapshot : json.at("snapshots")) {
-        snapshots.push_back({snapshot.at(0).get<std::int64_t>(), snapshot.at(1).get<double>()});
-      }
-    } catch (const nlohmann::json::exception&) {
-      throw FileError("the checkpoint was not written by a run: it says nothing of its files");
+  explicit Past(const Json& json)
+      : first_row(history_row(json.at("first_row"))),
+        last_row(history_row(json.at("last_row"))),
+        largest_work(json.at("largest_work").get<double>()),
+        isa(json.at("isa").get<std::string>()) {
+    history.bytes = json.at("history_bytes").get<std::uint64_t>();
+    history.checksum = json.at("history_checksum").get<std::uint64_t>();
+    for (const Json& snapshot : json.at("snapshots")) {
+      snapshots.push_back({snapshot.at(0).get<std::int64_t>(), snapshot.at(1).get<double>()});
     }
   }
 };
@@ -76,7 +71,15 @@ Recorder::Recorder(const Simulation& simulation, OutputDirectory& directory)
       history_(directory.history_file()) {}
 
 Recorder::Recorder(const Simulation& simulation, OutputDirectory& directory, std::string_view note)
-    : Recorder(simulation, directory, Past(note)) {}
+    : Recorder(simulation, directory, Past(Json::parse(note))) {}
+
+bool Recorder::fits(const OutputDirectory& directory, std::string_view note) {
+  try {
+    return HistoryFile::reaches(directory.history_file(), Past(Json::parse(note)).history);
+  } catch (const nlohmann::json::exception&) {  // the note is not a run's
+    return false;
+  }
+}
 
 Recorder::Recorder(const Simulation& simulation, OutputDirectory& directory, const Past& past)
     : simulation_(simulation),

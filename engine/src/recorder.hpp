@@ -19,9 +19,11 @@ class Recorder {
  public:
   /// Starts both anew.
   Recorder(const Simulation& simulation, OutputDirectory& directory);
-  /// Goes on where note() of an earlier recorder was taken: the history is cut back to it, and
-  /// later snapshots go. Throws FileError where the history is not the one of the note; then
-  /// nothing is changed.
+  /// Whether a note is one of a recorder, and the history in the directory still what it was when
+  /// the note was taken, or longer. Throws FileError where the history cannot be read.
+  static bool fits(const OutputDirectory& directory, std::string_view note);
+  /// Goes on where a note that fits was taken: the history is cut back to it, and later snapshots
+  /// go.
   Recorder(const Simulation& simulation, OutputDirectory& directory, std::string_view note);
 
   const OutputSchedule& schedule() const { return schedule_; }

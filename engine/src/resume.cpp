@@ -44,10 +44,26 @@ void refuse_past_end(const Simulation& simulation, const fs::path& checkpoint) {
   }
 }
 
+/// The note of a checkpoint once it is restored; none, and a notice, where it cannot be.
+std::optional<std::string> restore(Simulation& simulation, const fs::path& checkpoint,
+                                   const Notice& notice) {
+  try {
+    return simulation.restore(checkpoint);
+  } catch (const FileError& error) {
+    notice(error.what());
+    return std::nullopt;
+  }
+}
+
 /// The bits of a run are those of one kind of rounding.
-bool rounds_alike(const std::string& one, const std::string& other) {
+void notice_rounding(const std::string& before, const std::string& now, const Notice& notice) {
   const auto is_fused = [](const std::string& isa) { return isa == "avx2" || isa == "avx512"; };
-  return one == other || (is_fused(one) && is_fused(other));
+  if (before != now && !(is_fused(before) && is_fused(now))) {
+    notice(
+        fmt::format("the run was computed with {} and goes on with {}: its results may differ in "
+                    "round-off from one that was never interrupted",
+                    before, now));
+  }
 }
 
 }  // namespace
@@ -70,24 +86,22 @@ void require_case_of(const OutputDirectory& directory, const Simulation& simulat
 }
 
 std::optional<Resumption> restore_newest(Simulation& simulation, OutputDirectory& directory,
-                                         const std::function<void(const std::string&)>& notice) {
+                                         const Notice& notice) {
   const std::vector<fs::path> files = checkpoints_of(directory);
   for (const fs::path& file : files) {
-    try {
-      const std::string note = simulation.restore(file);
-      refuse_past_end(simulation, file);
-      auto recorder = std::make_unique<Recorder>(simulation, directory, note);
-      const std::string isa = simulation.facts().isa;
-      if (!rounds_alike(recorder->past_isa(), isa)) {
-        notice(
-            fmt::format("the run was computed with {} and goes on with {}: its results may "
-                        "differ in round-off from one that was never interrupted",
-                        recorder->past_isa(), isa));
-      }
-      return Resumption{file, std::move(recorder)};
-    } catch (const FileError& error) {
-      notice(error.what());
+    const std::optional<std::string> note = restore(simulation, file, notice);
+    if (!note) {
+      continue;
     }
+    refuse_past_end(simulation, file);
+    if (!Recorder::fits(directory, *note)) {
+      notice(fmt::format("'{}' is no longer what it was when '{}' was written",
+                         directory.history_file().string(), file.string()));
+      continue;
+    }
+    auto recorder = std::make_unique<Recorder>(simulation, directory, *note);
+    notice_rounding(recorder->past_isa(), simulation.facts().isa, notice);
+    return Resumption{file, std::move(recorder)};
   }
   if (!files.empty()) {
     throw FileError(fmt::format(

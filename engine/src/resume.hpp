@@ -23,10 +23,13 @@ struct Resumption {
   std::unique_ptr<Recorder> recorder;
 };
 
+using Notice = std::function<void(const std::string&)>;
+
 /// Restores the newest checkpoint of the directory that is whole and fits its history; none where
-/// there is no checkpoint at all. Each one that cannot be used is told to `notice`. Throws
-/// FileError where none of them can, CaseError for another case's and for one past the last step.
+/// there is no checkpoint at all. Each one that cannot be used is told to `notice`. Throws FileError
+/// where none of them can, or the files of the run cannot be read and written, CaseError for another
+/// case's checkpoint and for one past the last step.
 std::optional<Resumption> restore_newest(Simulation& simulation, OutputDirectory& directory,
-                                         const std::function<void(const std::string&)>& notice);
+                                         const Notice& notice);
 
 }  // namespace rgimp

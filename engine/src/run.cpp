@@ -141,7 +141,8 @@ class Run {
     while (simulation_.steps_done() < total) {
       loop_.advance(recorder_->schedule().next_stop(simulation_.steps_done()));
       recorder_->write_due();
-      const bool stops = options_.stop_requested && options_.stop_requested();
+      const bool stops =
+          simulation_.steps_done() < total && options_.stop_requested && options_.stop_requested();
       if (stops || checkpoints_.is_due(recorder_->schedule())) {
         checkpoints_.write(*recorder_);
       }

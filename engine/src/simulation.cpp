@@ -90,6 +90,14 @@ class Simulation::Implementation {
   }
 
   std::string restore(const std::filesystem::path& path) {
+    // A file far larger than any state of this case must not be read to find out.
+    constexpr std::uintmax_t kLabel = 16U << 20;
+    std::error_code ignored;  // reading says more
+    const std::uintmax_t size = std::filesystem::file_size(path, ignored);
+    if (!ignored && size > 2 * solver_.memory_bytes() + kLabel) {
+      throw FileError(
+          fmt::format("checkpoint '{}': {} bytes are too many for this case", path.string(), size));
+    }
     const CheckpointReader checkpoint(path.string(), read_bytes(path));
     require_same_case(settings_, checkpoint.label().case_text, path.string());
     solver_.restore(checkpoint);

@@ -170,6 +170,28 @@ class DamageTest(ResumeTest):
                        says=["history.csv", "no longer what it was"])
         self.assertEqual(history.read_bytes(), changed)
 
+    def test_what_cannot_be_read_is_not_called_damaged(self):
+        self.fresh_copy()
+        os.remove(self.place / "cut" / "history.csv")
+        result = self.fail_with(FILE_TROUBLE, "run", self.case, "-o", "cut", "--resume",
+                                says=["history.csv"])
+        self.assertNotIn("--force", result.stderr)
+        self.assertNotIn("checkpoint_", result.stderr)
+
+    def test_pipes_and_giants_are_damaged_checkpoints(self):
+        for name in ("pipe", "giant"):
+            self.fresh_copy()
+            newest = self.newest("cut")
+            if name == "pipe":
+                newest.unlink()
+                os.mkfifo(newest)
+            else:
+                os.truncate(newest, 2 ** 42)
+            messages = self.resume().stderr
+            self.assertIn(newest.name, messages)
+            self.assertIn("going on from step", messages)
+            self.check_same_results("cut")
+
     def test_rows_and_snapshots_after_the_checkpoint_go(self):
         self.fresh_copy()
         with open(self.place / "cut" / "history.csv", "a", encoding="utf-8") as history:
@@ -235,7 +257,7 @@ class RequestTest(ResumeTest):
 class SignalTest(ResumeTest):
     def test_signals_end_a_run_with_a_checkpoint(self):
         self.run_whole("--set", "output.checkpoint_every=1000000")
-        for number in (signal.SIGINT, signal.SIGTERM):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             with self.subTest(signal=number):
                 shutil.rmtree(self.place / "cut", ignore_errors=True)
                 process = self.start("--set", "output.checkpoint_every=1000000")
@@ -248,6 +270,18 @@ class SignalTest(ResumeTest):
                 self.assertFalse((self.place / "cut" / "summary.json").exists())
                 self.resume("--set", "output.checkpoint_every=1000000")
                 self.check_same_results("cut")
+
+
+    def test_a_reader_that_goes_away_ends_a_run_with_a_checkpoint(self):
+        process = subprocess.Popen(
+            [COMMAND, "run", str(self.case), "-o", "cut", "--set", "time.steps=10000000"],
+            cwd=self.place, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        process.stdout.readline()  # the first line of progress, after five seconds
+        process.stdout.close()
+        messages = process.stderr.read()
+        process.stderr.close()
+        self.assertEqual(process.wait(), 128 + signal.SIGPIPE, messages)
+        self.assertIn("with a checkpoint in 'cut'", messages)
 
 
 class FullDiskTest(ResumeTest):
