@@ -9,7 +9,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 # needs beyond the gate's Debian packages it installs itself: install_packages NAME...
 stages=( # NAME | gate or nightly | what it does
   "tests|gate|every test of the release build"
-  "sanitized|nightly|case files, output, checkpoints, cracks and small runs under ASan and UBSan"
+  "sanitized|nightly|case files, output, cracks, the command and a small run under ASan and UBSan"
   "fuzz|gate|each fuzzer on its corpus and on for 10 s, under ASan and UBSan"
   "asan-ubsan|nightly|every test under AddressSanitizer and UndefinedBehaviorSanitizer"
   "tsan|nightly|every test under ThreadSanitizer; tests/tsan.supp lists what is let pass"
@@ -38,10 +38,9 @@ test_preset() {
   ctest --preset "$@" --no-tests=error
 }
 
-# Whole programs: none of the tests that take minutes when checked.
+# What reads and writes files, and a small run; none of the tests that take minutes when checked.
 stage_sanitized() {
-  local programs=(test_case_file test_output test_checkpoint test_cracks test_binning test_failure
-    test_parallel)
+  local programs=(test_case_file test_output test_cracks test_binning test_failure test_parallel)
   step "Configure and build (asan-ubsan: rgimp ${programs[*]})"
   cmake --preset asan-ubsan
   cmake --build --preset asan-ubsan --target rgimp "${programs[@]}"
@@ -49,6 +48,10 @@ stage_sanitized() {
   local program
   for program in "${programs[@]}"; do
     build/asan-ubsan/tests/"$program"
+  done
+  for program in requests cracks run; do
+    step "The command's tests ($program)"
+    /usr/bin/python3 -B tests/cli/test_"$program".py build/asan-ubsan/bin/rgimp
   done
   small_run build/asan-ubsan/bin/rgimp
 }
@@ -93,14 +96,17 @@ stage_valgrind() {
   RGIMP_ISA=baseline small_run "${memcheck[@]}" build/release/bin/rgimp
 }
 
-# Against the flags of the release build, of which clang does not know all.
+# With the flags of the release build, but for those that clang does not know.
 stage_tidy() {
   install_packages clang-tidy
   cmake --preset release
+  mkdir --parents build/tidy
+  sed 's/ --param=sra[^ "]*//; s/ -fno-tree-loop-distribution//' build/release/compile_commands.json \
+    >build/tidy/compile_commands.json
   step "clang-tidy"
   git ls-files 'engine/*.cpp' 'kernels/*.cpp' 'bench/*.cpp' 'tests/*.cpp' 'examples/*.cpp' |
     grep --invert-match '^tests/package/\|^tests/fuzz/' |
-    xargs --max-procs="$(nproc)" --max-args=1 clang-tidy -p build/release --quiet \
+    xargs --max-procs="$(nproc)" --max-args=1 clang-tidy -p build/tidy --quiet \
       --warnings-as-errors='*' --extra-arg=-Wno-unknown-warning-option
 }
 

@@ -230,6 +230,7 @@ class Growth {
       });
     }
     std::vector<Meeting> meetings;
+    meetings.reserve(first.size());
     for (const auto& [places, meeting] : first) {
       meetings.push_back(meeting);
     }
