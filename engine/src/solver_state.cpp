@@ -167,6 +167,14 @@ void Solver<Dim>::restore(const CheckpointReader& checkpoint) {
     checkpoint.refuse(fmt::format("holds {} of {} particles", there, material_of_id_.size()));
   }
   const std::optional<FirstFailure> first_failure = unpack(failure, checkpoint);
+  const auto most = static_cast<std::int64_t>(material_of_id_.size());
+  const bool is_count = ledger.failed_tension() >= 0 && ledger.failed_tension() <= most &&
+                        ledger.failed_shear() >= 0 && ledger.failed_shear() <= most;
+  const bool has_failed = ledger.failed_tension() != 0 || ledger.failed_shear() != 0;
+  // The next step would look for a first failure among particles of which none need have failed.
+  if (!is_count || has_failed != first_failure.has_value()) {
+    checkpoint.refuse("its numbers of failed particles do not fit its first failure");
+  }
   if (is_prepared != 0) {
     grid_ = read_grid(checkpoint);
   }

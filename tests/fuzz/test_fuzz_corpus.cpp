@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <string>
 #include <vector>
@@ -48,6 +50,26 @@ int replay(const std::string& target, rgimp::fuzz::Outcome (*try_input)(std::str
 
 TEST_CASE("every case file of the corpus is refused or runs") {
   CHECK(replay("case", rgimp::fuzz::try_case) > 0);
+}
+
+// Found by the fuzzer: the next step looked for the first failure among particles all intact.
+TEST_CASE("a checkpoint that counts failures without a first one is refused") {
+  std::string bytes = rgimp::fuzz::tiny_checkpoint(0);
+  std::uint64_t length = 0;
+  std::memcpy(&length, bytes.data() + bytes.size() - 16, sizeof length);
+  const auto index = nlohmann::json::parse(bytes.substr(bytes.size() - 16 - length, length));
+  std::size_t place = 32;  // after the head
+  for (const auto& column : index.at("columns")) {
+    if (column.at("name") == "failed in tension") {
+      break;
+    }
+    const std::string type = column.at("type");
+    const std::size_t size = type == "uint8" ? 1 : type.ends_with("32") ? 4 : 8;
+    place += size * column.at("length").get<std::size_t>();
+  }
+  REQUIRE(bytes.at(place) == 0);
+  bytes[place] = 1;
+  CHECK(rgimp::fuzz::try_checkpoint(bytes) == rgimp::fuzz::Outcome::refused);
 }
 
 // Those of an older format are refused, so that these need not be used.
