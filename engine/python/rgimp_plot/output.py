@@ -91,9 +91,11 @@ def read(directory):
     if not directory.is_dir():
         raise OutputError(f"no such directory: {directory}", USAGE)
     for name in ("case.toml", "history.csv"):
-        if not (directory / name).is_file():
+        if not (directory / name).exists():
             raise OutputError(f"{directory} is not an output directory of `rgimp run`: "
                               f"{name} is missing", USAGE)
+        if not (directory / name).is_file():  # a pipe would be waited for
+            raise OutputError(f"cannot read {directory / name}: not a regular file")
     case = read_text(directory / "case.toml", tomllib.loads)
     if case.get("dimension", 2) != 2:
         raise OutputError("pictures of three-dimensional cases are not supported yet; "
