@@ -7,6 +7,7 @@
 #include "models.hpp"
 #include "rgimp/error.hpp"
 #include "state_hash.hpp"
+#include "temporary_directory.hpp"
 #include "time_step.hpp"
 
 namespace rgimp::tests {
@@ -142,9 +143,11 @@ TEST_CASE("a volume that is not positive stops the run") {
   }
 }
 
+namespace {
+
 // Closing by more than a cell within a step, below the critical step as the paper has it: nothing
 // but the volume tells.
-TEST_CASE("a violent collision that turns particles inside out stops the run") {
+Case violent_collision() {
   Case settings = free_block(4.25, 4.0);  // meets the other in the middle of a cell
   settings.quadratic_viscosity = 0.0;
   settings.linear_viscosity = 0.0;
@@ -155,11 +158,27 @@ TEST_CASE("a violent collision that turns particles inside out stops the run") {
   settings.bodies.front().velocity.x() = speed;
   other.velocity.x() = -speed;
   settings.bodies.push_back(other);
-  Model model(settings);
+  return settings;
+}
+
+}  // namespace
+
+TEST_CASE("a violent collision that turns particles inside out stops the run") {
+  Model model(violent_collision());
   const auto error = stop_within(model, 20);
   REQUIRE(error);
   CHECK_THAT(error->what(), Catch::Contains("is turned inside out, its volume is -"));
   CHECK(error->report().critical_step_ratio < 1.0);
+}
+
+TEST_CASE("no checkpoint is written of a state that is wrong") {
+  const TemporaryDirectory directory;
+  Simulation simulation(violent_collision());
+  simulation.save(directory / "good");
+  CHECK_THROWS_AS(simulation.run_until(20), PhysicsError);
+  CHECK_THROWS_AS(simulation.save(directory / "bad"), PhysicsError);
+  CHECK(std::filesystem::exists(directory / "good"));
+  CHECK(std::distance(std::filesystem::directory_iterator(directory.path()), {}) == 1);
 }
 
 TEST_CASE("a time step beyond the critical one stops the run with the fastest particle") {
