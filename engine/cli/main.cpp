@@ -82,8 +82,9 @@ void add_run(CLI::App& app, RunArguments& arguments, int& exit_code) {
       "  rgimp run single_flaw.toml --resume\n"
       "\n"
       "Ctrl-C (SIGINT), SIGTERM, SIGHUP and SIGPIPE end a run with a checkpoint; --resume goes on\n"
-      "from there. Threads, output and the number of steps may have changed meanwhile; what was\n"
-      "written before stays as it was.");
+      "from there. Threads, output, grid.on_exit and the number of steps may have changed "
+      "meanwhile;\n"
+      "what was written before stays as it was.");
   command->callback([&arguments, &exit_code] { exit_code = run(arguments); });
 }
 

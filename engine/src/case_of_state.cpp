@@ -27,6 +27,7 @@ std::string case_of_state(Case settings) {
   settings.title.clear();
   settings.time.steps = 1;
   settings.time.duration.reset();
+  settings.grid.on_exit = OnExit::stop;
   settings.output = OutputSettings{};
   settings.tuning = Tuning{};
   return write_case(settings);

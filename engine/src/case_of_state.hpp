@@ -8,7 +8,8 @@
 namespace rgimp {
 
 /// The case as far as a state depends on it, as TOML: without title, output and tuning, and
-/// whatever its number of steps, so that a run can go on further or with other threads.
+/// whatever its number of steps and grid.on_exit, so that a run can go on further, with other
+/// threads, or past a particle that stopped it.
 std::string case_of_state(Case settings);
 
 /// Throws CaseError naming the first line in which a checkpoint's case_of_state() is another.

@@ -99,6 +99,7 @@ TEST_CASE("a checkpoint is of its own case only") {
   other.title = "another title";
   other.time.steps = 5;
   other.output.history_every = 7;
+  other.grid.on_exit = OnExit::remove;
   other.tuning.threads = 3;
   Simulation same(other);
   same.restore(directory / "checkpoint");

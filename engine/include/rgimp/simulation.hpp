@@ -109,7 +109,7 @@ class Simulation {
   void save(const std::filesystem::path& path, std::string_view note = {}) const;
   /// Takes the state of a checkpoint and returns its note. Throws FileError for a file that cannot
   /// be read, is damaged or of another format, CaseError for one of another case (its output,
-  /// tuning and number of steps may differ); then this simulation is as it was.
+  /// tuning, grid.on_exit and number of steps may differ); then this simulation is as it was.
   std::string restore(const std::filesystem::path& path);
 
   std::int64_t steps_done() const;
