@@ -19,6 +19,13 @@ CHECKPOINTS = ("checkpoint_a.rgimp", "checkpoint_b.rgimp")
 OF_THE_PROCESS = ("wall_s", "particle_steps_per_second", "threads")
 
 
+def hear_signals():
+    """In the child: a test that runs in the background or under nohup hands down ignored signals,
+    which a run would go on to ignore."""
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, signal.SIG_DFL)
+
+
 class ResumeTest(CommandTest):
     def setUp(self):
         super().setUp()
@@ -260,7 +267,8 @@ class SignalTest(ResumeTest):
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             with self.subTest(signal=number):
                 shutil.rmtree(self.place / "cut", ignore_errors=True)
-                process = self.start("--set", "output.checkpoint_every=1000000")
+                process = self.start("--set", "output.checkpoint_every=1000000",
+                                     preexec_fn=hear_signals)
                 while not (self.place / "cut" / "history.csv").exists():
                     time.sleep(0.005)
                 process.send_signal(number)
