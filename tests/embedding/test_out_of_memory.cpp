@@ -30,6 +30,9 @@ void* allocate(std::size_t size, std::size_t alignment) {
 
 }  // namespace
 
+// GCC does not see that the operators below belong together once it has inlined one of them.
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
+
 void* operator new(std::size_t size) {
   return allocate(size, alignof(std::max_align_t));
 }

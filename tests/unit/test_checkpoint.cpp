@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <map>
 
 #include "models.hpp"
 #include "rgimp/rgimp.hpp"
@@ -49,11 +50,13 @@ TEST_CASE("a restored simulation goes on to the same bits") {
   const Case settings = with_integrator(softens ? softening_block() : cracking_block(), integrator);
   const TemporaryDirectory directory;
   Simulation whole(settings);
+  std::map<std::int64_t, HistoryRow> rows;
   // From the start, before and after failure, and in odd and even steps, for the grid has two
   // layers.
   for (const std::int64_t step : {0, 1, 700, 1301}) {
     whole.run_until(step);
     whole.save(directory / std::to_string(step));
+    rows[step] = whole.history();
   }
   whole.run_until(kSteps);
   REQUIRE(whole.history().failed_tension > 0);
@@ -62,6 +65,8 @@ TEST_CASE("a restored simulation goes on to the same bits") {
     Simulation resumed(settings);
     resumed.restore(directory / std::to_string(step));
     REQUIRE(resumed.steps_done() == step);
+    CHECK(resumed.history().reaction == rows[step].reaction);
+    CHECK(resumed.history().axial_stress == rows[step].axial_stress);
     resumed.run_until(kSteps);
     check_equal(resumed, whole);
   }
