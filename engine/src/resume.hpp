@@ -26,9 +26,9 @@ struct Resumption {
 using Notice = std::function<void(const std::string&)>;
 
 /// Restores the newest checkpoint of the directory that is whole and fits its history; none where
-/// there is no checkpoint at all. Each one that cannot be used is told to `notice`. Throws FileError
-/// where none of them can, or the files of the run cannot be read and written, CaseError for another
-/// case's checkpoint and for one past the last step.
+/// there is no checkpoint at all. Each one that cannot be used is told to `notice`. Throws
+/// FileError where none of them can, or the files of the run cannot be read and written, CaseError
+/// for another case's checkpoint and for one past the last step.
 std::optional<Resumption> restore_newest(Simulation& simulation, OutputDirectory& directory,
                                          const Notice& notice);
 
