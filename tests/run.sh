@@ -9,7 +9,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 # needs beyond the gate's Debian packages it installs itself: install_packages NAME...
 stages=( # NAME | gate or nightly | what it does
   "tests|gate|every test of the release build"
-  "sanitized|nightly|case files, output, cracks, the command and a small run under ASan and UBSan"
+  "sanitized|gate|case files, output, cracks, the command and a small run under ASan and UBSan"
   "fuzz|nightly|each fuzzer on its corpus and on for 10 s, under ASan and UBSan"
   "asan-ubsan|nightly|every test under AddressSanitizer and UndefinedBehaviorSanitizer"
   "tsan|nightly|every test under ThreadSanitizer; tests/tsan.supp lists what is let pass"
