@@ -51,12 +51,14 @@ TEST_CASE("a restored simulation goes on to the same bits") {
   const TemporaryDirectory directory;
   Simulation whole(settings);
   std::map<std::int64_t, HistoryRow> rows;
+  std::map<std::int64_t, double> critical;
   // From the start, before and after failure, and in odd and even steps, for the grid has two
   // layers.
   for (const std::int64_t step : {0, 1, 700, 1301}) {
     whole.run_until(step);
     whole.save(directory / std::to_string(step));
     rows[step] = whole.history();
+    critical[step] = whole.critical_step_ratio();
   }
   whole.run_until(kSteps);
   REQUIRE(whole.history().failed_tension > 0);
@@ -67,6 +69,7 @@ TEST_CASE("a restored simulation goes on to the same bits") {
     REQUIRE(resumed.steps_done() == step);
     CHECK(resumed.history().reaction == rows[step].reaction);
     CHECK(resumed.history().axial_stress == rows[step].axial_stress);
+    CHECK(resumed.critical_step_ratio() == critical[step]);
     resumed.run_until(kSteps);
     check_equal(resumed, whole);
   }
