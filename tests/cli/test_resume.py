@@ -185,6 +185,15 @@ class DamageTest(ResumeTest):
         self.assertNotIn("--force", result.stderr)
         self.assertNotIn("checkpoint_", result.stderr)
 
+    def test_the_checkpoint_gone_on_from_is_kept_while_the_next_is_written(self):
+        self.fresh_copy()
+        newest = self.newest("cut")
+        before = newest.read_bytes()
+        step = int.from_bytes(before[24:32], "little")
+        self.resume("--steps", step + 26)  # one more checkpoint, after 25 steps
+        self.assertEqual(newest.read_bytes(), before)
+        self.assertEqual(int.from_bytes(self.newest("cut").read_bytes()[24:32], "little"), step + 25)
+
     def test_pipes_and_giants_are_damaged_checkpoints(self):
         for name in ("pipe", "giant"):
             self.fresh_copy()
