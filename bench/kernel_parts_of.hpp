@@ -83,14 +83,7 @@ void for_each_slot(const bench::PartInput& input, Visit visit) {
   });
 }
 
-inline PlaneStress stress_of(const ParticleView<2>& particles, std::size_t index) {
-  return {Batch::load_aligned(particles.stress[0] + index),
-          Batch::load_aligned(particles.stress[1] + index),
-          Batch::load_aligned(particles.stress[2] + index),
-          Batch::load_aligned(particles.stress[3] + index)};
-}
-
-inline PlaneIncrement increment_of(const bench::PartInput& input, std::size_t index) {
+inline Increment<2> increment_of(const bench::PartInput& input, std::size_t index) {
   const Batch scale(input.strain_per_velocity);
   const Batch xx = scale * Batch::load_aligned(input.particles.velocity[0] + index);
   const Batch yy = scale * Batch::load_aligned(input.particles.velocity[1] + index);
@@ -99,12 +92,12 @@ inline PlaneIncrement increment_of(const bench::PartInput& input, std::size_t in
 
 [[gnu::flatten]] void update_stress(const bench::PartInput& input, double* out,
                                     std::size_t slot_mask) {
-  const StepMaterial material(*input.material, 1.0);
+  const StepMaterial<2> material(*input.material, 1.0);
   for_each_slot(input, [&](std::size_t slot, int part) {
     const std::size_t index = slot * kGroupWidth + part * kLanes;
-    const PlaneIncrement increment = increment_of(input, index);
-    const PlaneStress stress = elastic_stress(stress_of(input.particles, index), increment,
-                                              increment.xx + increment.yy, material.elasticity);
+    const Increment<2> increment = increment_of(input, index);
+    const Stress<2> stress = elastic_stress(load_stress(input.particles, index), increment,
+                                            trace(increment), material.elasticity);
     double* to = place_in<bench::kStressColumns>(out, slot_mask, slot, part);
     stress.xx.store_aligned(to);
     stress.yy.store_aligned(to + kGroupWidth);
@@ -115,10 +108,10 @@ inline PlaneIncrement increment_of(const bench::PartInput& input, std::size_t in
 
 [[gnu::flatten]] void test_failure(const bench::PartInput& input, double* out,
                                    std::size_t slot_mask) {
-  const FailureTest test(input.material->limits);
+  const FailureTest<2> test(input.material->limits);
   for_each_slot(input, [&](std::size_t slot, int part) {
-    const PlaneStress stress = stress_of(input.particles, slot * kGroupWidth + part * kLanes);
-    const Mask fails = may_fail(stress, circle_of(stress), test);
+    const Stress<2> stress = load_stress(input.particles, slot * kGroupWidth + part * kLanes);
+    const Mask fails = may_fail(stress, test);
     xsimd::select(fails, Batch(1.0), Batch(0.0))
         .store_aligned(place_in<bench::kFailureColumns>(out, slot_mask, slot, part));
   });

@@ -42,24 +42,18 @@ void gather_force(const PartInput& input, double* out, std::size_t slot_mask) {
                     });
 }
 
-PlaneStress stress_of(const kernels::ParticleView<2>& particles, std::size_t p) {
-  return {particles.stress[0][p], particles.stress[1][p], particles.stress[2][p],
-          particles.stress[3][p]};
-}
-
 void update_stress(const PartInput& input, double* out, std::size_t slot_mask) {
   for_each_particle(input.particles, input.grid, input.bins,
                     [&](std::size_t p, const BinNode<2>&, std::size_t slot) {
                       const double xx = input.strain_per_velocity * input.particles.velocity[0][p];
                       const double yy = input.strain_per_velocity * input.particles.velocity[1][p];
-                      const PlaneStress stress =
-                          elastic_stress(stress_of(input.particles, p),
+                      const Stress<2> stress =
+                          elastic_stress(load_stress(input.particles, p),
                                          {xx, yy, xx + yy, 0.5 * (xx - yy)}, *input.material);
                       double* to = place_in<kStressColumns>(out, slot_mask, slot, p);
-                      to[0] = stress.xx;
-                      to[kGroupWidth] = stress.yy;
-                      to[2 * kGroupWidth] = stress.zz;
-                      to[3 * kGroupWidth] = stress.xy;
+                      for (int c = 0; c < kernels::kStressComponents<2>; ++c) {
+                        to[c * kGroupWidth] = stress.value[c];
+                      }
                     });
 }
 
@@ -67,7 +61,7 @@ void test_failure(const PartInput& input, double* out, std::size_t slot_mask) {
   for_each_particle(
       input.particles, input.grid, input.bins,
       [&](std::size_t p, const BinNode<2>&, std::size_t slot) {
-        const double mode = failure_mode(stress_of(input.particles, p), input.material->limits);
+        const double mode = failure_mode(load_stress(input.particles, p), input.material->limits);
         *place_in<kFailureColumns>(out, slot_mask, slot, p) = mode == kernels::kIntact ? 0.0 : 1.0;
       });
 }

@@ -56,16 +56,16 @@ void accelerate_pass(const ParticleView<Dim>& particles, const GridView<Dim>& fr
       });
 }
 
-inline void strain_and_move_pass(const ParticleView<2>& particles, const GridView<2>& from,
-                                 const GridView<2>& to, const ParticleUpdate& update,
-                                 RowRange bins) {
-  const Shape<2> shape(from);
-  const Shape<2> shape_to(to);
+template <int Dim>
+void strain_and_move_pass(const ParticleView<Dim>& particles, const GridView<Dim>& from,
+                          const GridView<Dim>& to, const ParticleUpdate& update, RowRange bins) {
+  const Shape<Dim> shape(from);
+  const Shape<Dim> shape_to(to);
   clear_rows(bins, update);
   for_each_row(particles, from, bins,
-               [&](std::ptrdiff_t row, std::size_t p, const BinNode<2>& bin, std::size_t slot) {
-                 const Stencil<2> before = stencil_of(particles, p, bin, shape);
-                 const FromNodes<2> nodes = gather_velocity_and_strain(before, shape, from);
+               [&](std::ptrdiff_t row, std::size_t p, const BinNode<Dim>& bin, std::size_t slot) {
+                 const Stencil<Dim> before = stencil_of(particles, p, bin, shape);
+                 const FromNodes<Dim> nodes = gather_velocity_and_strain(before, shape, from);
                  update_particle(particles, p, nodes.gradient,
                                  update.materials[particles.slot_material[slot]], update.dt,
                                  update.step, update.sums[row]);
@@ -75,16 +75,17 @@ inline void strain_and_move_pass(const ParticleView<2>& particles, const GridVie
                });
 }
 
-inline void accelerate_strain_and_move_pass(const ParticleView<2>& particles,
-                                            const GridView<2>& from, const GridView<2>& to,
-                                            const ParticleUpdate& update, RowRange bins) {
-  const Shape<2> shape(from);
-  const Shape<2> shape_to(to);
+template <int Dim>
+void accelerate_strain_and_move_pass(const ParticleView<Dim>& particles, const GridView<Dim>& from,
+                                     const GridView<Dim>& to, const ParticleUpdate& update,
+                                     RowRange bins) {
+  const Shape<Dim> shape(from);
+  const Shape<Dim> shape_to(to);
   clear_rows(bins, update);
   for_each_row(particles, from, bins,
-               [&](std::ptrdiff_t row, std::size_t p, const BinNode<2>& bin, std::size_t slot) {
-                 const Stencil<2> before = stencil_of(particles, p, bin, shape);
-                 const FromNodes<2> nodes = gather_all(before, shape, from);
+               [&](std::ptrdiff_t row, std::size_t p, const BinNode<Dim>& bin, std::size_t slot) {
+                 const Stencil<Dim> before = stencil_of(particles, p, bin, shape);
+                 const FromNodes<Dim> nodes = gather_all(before, shape, from);
                  accelerate(particles, p, nodes.acceleration, update.dt);
                  update_particle(particles, p, nodes.gradient,
                                  update.materials[particles.slot_material[slot]], update.dt,
@@ -95,16 +96,17 @@ inline void accelerate_strain_and_move_pass(const ParticleView<2>& particles,
                });
 }
 
-inline void strain_pass(const ParticleView<2>& particles, const GridView<2>& from,
-                        const GridView<2>& to, const ParticleUpdate& update, RowRange bins) {
-  const Shape<2> shape(from);
-  const Shape<2> shape_to(to);
+template <int Dim>
+void strain_pass(const ParticleView<Dim>& particles, const GridView<Dim>& from,
+                 const GridView<Dim>& to, const ParticleUpdate& update, RowRange bins) {
+  const Shape<Dim> shape(from);
+  const Shape<Dim> shape_to(to);
   for (std::ptrdiff_t row = bins.first; row < bins.last; ++row) {
     update.sums[row] = ParticleSums{};
   }
   for_each_row(particles, from, bins,
-               [&](std::ptrdiff_t row, std::size_t p, const BinNode<2>& bin, std::size_t slot) {
-                 const Stencil<2> stencil = stencil_of(particles, p, bin, shape);
+               [&](std::ptrdiff_t row, std::size_t p, const BinNode<Dim>& bin, std::size_t slot) {
+                 const Stencil<Dim> stencil = stencil_of(particles, p, bin, shape);
                  update_particle(particles, p, gather_strain(stencil, shape, from),
                                  update.materials[particles.slot_material[slot]], update.dt,
                                  update.step, update.sums[row]);

@@ -55,4 +55,19 @@ const KernelTable<2>& kernels_for<2>(Isa isa) {
   return kReferenceKernels2;
 }
 
+template <>
+const KernelTable<3>& kernels_for<3>(Isa isa) {
+  switch (isa) {
+    case Isa::reference:
+      return kReferenceKernels3;
+    case Isa::baseline:
+      return kBaselineKernels3;
+    case Isa::avx2:
+      return kAvx2Kernels3;
+    case Isa::avx512:
+      return kAvx512Kernels3;
+  }
+  return kReferenceKernels3;
+}
+
 }  // namespace rgimp::kernels

@@ -135,5 +135,30 @@ inline void gradient_at(const FieldCoefficients<2>& c, const Basis<2>& basis,
   gradient[1] = slope_along(basis.axis[1], row[1], row[2]);
 }
 
+/// Derivatives along x, y and z, each per two cells.
+inline void gradient_at(const FieldCoefficients<3>& c, const Basis<3>& basis,
+                        Batch (&gradient)[3]) {
+  Batch value[3];
+  Batch by_x[3];
+  Batch by_y[3];
+#pragma GCC unroll 3
+  for (int k = 0; k < 3; ++k) {
+    Batch row[3];
+    Batch slope[3];
+#pragma GCC unroll 3
+    for (int j = 0; j < 3; ++j) {
+      const Batch* line = c.value + 9 * k + 3 * j;
+      row[j] = along(basis.axis[0], line[0], line[1], line[2]);
+      slope[j] = slope_along(basis.axis[0], line[1], line[2]);
+    }
+    value[k] = along(basis.axis[1], row[0], row[1], row[2]);
+    by_x[k] = along(basis.axis[1], slope[0], slope[1], slope[2]);
+    by_y[k] = slope_along(basis.axis[1], row[1], row[2]);
+  }
+  gradient[0] = along(basis.axis[2], by_x[0], by_x[1], by_x[2]);
+  gradient[1] = along(basis.axis[2], by_y[0], by_y[1], by_y[2]);
+  gradient[2] = slope_along(basis.axis[2], value[1], value[2]);
+}
+
 }  // namespace
 }  // namespace rgimp::kernels

@@ -5,6 +5,7 @@
 
 namespace rgimp::kernels {
 
-const KernelTable<2> kBaselineKernels2 = make_table();
+const KernelTable<2> kBaselineKernels2 = make_table<2>();
+const KernelTable<3> kBaselineKernels3 = make_table<3>();
 
 }  // namespace rgimp::kernels

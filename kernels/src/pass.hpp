@@ -54,15 +54,15 @@ class Move {
 };
 
 /// Stress and failure where a pass strains, else nothing.
-template <Changes What>
+template <int Dim, Changes What>
 struct StressPart {
-  using Type = StressUpdate;
+  using Type = StressUpdate<Dim>;
 };
 struct NoStress {
-  NoStress(const auto&, const ParticleUpdate&, FailureLog&) {}
+  NoStress(const auto&, const ParticleUpdate&, auto&) {}
 };
-template <Changes What>
-requires(!What.strain) struct StressPart<What> {
+template <int Dim, Changes What>
+requires(!What.strain) struct StressPart<Dim, What> {
   using Type = NoStress;
 };
 
@@ -72,7 +72,7 @@ class Gather {
  public:
   Gather(const ParticleView<Dim>& particles, const GridView<Dim>& from,
          const ShapeConstants<Dim>& shape, const ShapeConstants<Dim>& shape_to,
-         const ParticleUpdate& update, FailureLog& log)
+         const ParticleUpdate& update, FailureLog<Dim>& log)
       : view_(particles),
         grid_(from),
         shape_(shape),
@@ -106,7 +106,7 @@ class Gather {
   void round(const Nodes& nodes, const GroupPlace<Dim>& place, Slots slots, int part) {
     const BinOffsets<Dim> offsets = place.offsets(shape_, part);
     const BinOffsets<Dim> offsets_to = place.offsets(shape_to_, part);
-    PlaneIncrement increment[kRound];
+    Increment<Dim> increment[kRound];
     for (std::size_t slot = slots.first; slot < slots.last; ++slot) {
       const std::size_t index = slot * kGroupWidth + part * kLanes;
       batch(nodes, index, offsets, offsets_to, increment[slot - slots.first]);
@@ -126,7 +126,7 @@ class Gather {
   static constexpr bool kStrainsWithNewVelocity = What.velocity && What.strain;
 
   void batch(const Nodes& nodes, std::size_t index, const BinOffsets<Dim>& offsets,
-             const BinOffsets<Dim>& offsets_to, PlaneIncrement& increment) {
+             const BinOffsets<Dim>& offsets_to, Increment<Dim>& increment) {
     const Places<Dim> places(view_, index, offsets, shape_);
     const Basis<Dim> basis(places, shape_);
     const Batch dt = where_present(view_, index, dt_);
@@ -164,7 +164,7 @@ class Gather {
   ShapeConstants<Dim> shape_;
   ShapeConstants<Dim> shape_to_;
   double dt_;
-  typename StressPart<What>::Type stress_;
+  typename StressPart<Dim, What>::Type stress_;
   Move<Dim> move_;
 };
 
@@ -257,7 +257,7 @@ void pass(const ParticleView<Dim>& particles, const GridView<Dim>& from, const G
   const Fields<Dim, Whats...> fields(to);
   Scatter<Dim, Whats...> scatter(particles, shape_to, fields.field);
   for (std::ptrdiff_t row = bins.first; row < bins.last; ++row) {
-    FailureLog log(update.step);
+    FailureLog<Dim> log(update.step);
     Gather<Dim, What> gather(particles, from, shape, shape_to, update, log);
     pass_row(particles, from, row, gather, scatter);
     if constexpr (What.strain) {

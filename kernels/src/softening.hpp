@@ -27,33 +27,60 @@
 namespace rgimp::kernels {
 namespace {
 
-/// sigma_i = factor s_i + spared I.
-inline PlaneStress scaled(const PlaneStress& s, Batch factor, Batch spared) {
-  return {fused(factor, s.xx, spared), fused(factor, s.yy, spared), fused(factor, s.zz, spared),
-          factor * s.xy};
-}
-
 /// Mean stress where it is pressure, else 0.
-inline Batch closed_part(const PlaneStress& s) {
+template <int Dim>
+inline Batch closed_part(const Stress<Dim>& s) {
   return xsimd::min(trace(s) * Batch(1.0 / 3.0), Batch(0.0));
 }
 
-inline PlaneStress nominal_stress(const PlaneStress& effective, Batch damage) {
+template <int Dim>
+inline Stress<Dim> nominal_stress(const Stress<Dim>& effective, Batch damage) {
   return scaled(effective, Batch(1.0) - damage, damage * closed_part(effective));
 }
 
-inline PlaneStress effective_stress(const PlaneStress& nominal, Batch damage) {
+template <int Dim>
+inline Stress<Dim> effective_stress(const Stress<Dim>& nominal, Batch damage) {
   const Batch factor = Batch(1.0) / (Batch(1.0) - damage);
   return scaled(nominal, factor, (Batch(1.0) - factor) * closed_part(nominal));
 }
 
 /// What the point gives back when it is unloaded, sigma : C^-1 : s / 2, J/m3.
-inline Batch elastic_energy_density(const PlaneStress& effective, Batch damage,
+template <int Dim>
+inline Batch elastic_energy_density(const Stress<Dim>& effective, Batch damage,
                                     const MaterialConstants& material) {
   const Batch pressure = closed_part(effective);
   const Batch kept =
       Batch(3.0 * material.energy_of_square - 9.0 * material.energy_of_trace) * pressure * pressure;
   return fused(Batch(1.0) - damage, energy_density(effective, material) - kept, kept);
+}
+
+/// Width of a band across the major principal stress, in cells.
+inline Batch band_width(const Stress<2>& s, const Principal&) {
+  const Batch radius = xsimd::sqrt(circle_of(s).radius2);
+  const Batch oblique =
+      xsimd::abs(s.xy) / xsimd::max(radius, Batch(__DBL_MIN__));  // 0 where there is no circle
+  return xsimd::sqrt(Batch(1.0) + oblique);
+}
+
+/// P_ii (s1 - s2) (s1 - s3): row i of s - s2 I times column i of s - s3 I.
+inline Batch projection(Batch diagonal, Batch next, Batch other, const Principal& principal) {
+  return fused(diagonal - principal.middle, diagonal - principal.minor,
+               fused(next, next, other * other));
+}
+
+inline Batch band_width(const Stress<3>& s, const Principal& principal) {
+  const Batch zero(0.0);
+  const Batch one(1.0);
+  const Batch gaps = (principal.major - principal.middle) * (principal.major - principal.minor);
+  const Mask is_marked = gaps > zero;
+  const Batch per_gaps = one / xsimd::select(is_marked, gaps, one);
+  const auto component = [&](Batch projected) {
+    return xsimd::sqrt(xsimd::min(xsimd::max(projected * per_gaps, zero), one));
+  };
+  const Batch width = component(projection(s.xx, s.xy, s.xz, principal)) +
+                      component(projection(s.yy, s.xy, s.yz, principal)) +
+                      component(projection(s.zz, s.xz, s.yz, principal));
+  return xsimd::select(is_marked, width, one);
 }
 
 /// What a batch of lanes has become.
@@ -63,28 +90,25 @@ struct Softened {
 };
 
 /// `mode` and `damage` are those before; lanes that have failed stay as they are.
-inline Softened grow_damage(const PlaneStress& s, Batch mode, Batch damage,
+template <int Dim>
+inline Softened grow_damage(const Stress<Dim>& s, Batch mode, Batch damage,
                             const MaterialConstants& material) {
   const FailureLimits& l = material.limits;
-  const Circle circle = circle_of(s);
-  const Batch onset = failure_mode(s, circle, l);
+  const Principal principal = principal_stresses(s);
+  const Batch onset = failure_mode(principal, trace(s), l);
   const Mask was_intact = mode == Batch(kIntact);
   const Mask in_tension =
       (mode == Batch(kSofteningInTension)) | (was_intact & (onset == Batch(kFailedInTension)));
   const Mask in_shear =
       (mode == Batch(kSofteningInShear)) | (was_intact & (onset == Batch(kFailedInShear)));
 
-  const Batch radius = xsimd::sqrt(circle.radius2);
-  const Batch major = xsimd::max(circle.centre + radius, s.zz);
-  const Batch minor = xsimd::min(circle.centre - radius, s.zz);
-  const Batch sheared = fused(Batch(l.shear_major), major, Batch(-l.shear_minor) * minor);
-  const Batch load = xsimd::select(in_tension, major, sheared);
+  const Batch sheared =
+      fused(Batch(l.shear_major), principal.major, Batch(-l.shear_minor) * principal.minor);
+  const Batch load = xsimd::select(in_tension, principal.major, sheared);
   const Batch limit = xsimd::select(in_tension, Batch(l.tension), Batch(l.shear));
-  const Batch oblique =
-      xsimd::abs(s.xy) / xsimd::max(radius, Batch(__DBL_MIN__));  // 0 where there is no circle
-  const Batch brittleness = xsimd::select(
-      in_tension, xsimd::sqrt(Batch(1.0) + oblique) * Batch(material.softening.tension),
-      Batch(material.softening.shear));
+  const Batch brittleness =
+      xsimd::select(in_tension, band_width(s, principal) * Batch(material.softening.tension),
+                    Batch(material.softening.shear));
   const Mask grows = (in_tension | in_shear) & (load >= limit);
   const Mask gradual = brittleness < Batch(1.0);
   // Lanes whose result is not taken divide by 1: tests trap divisions by zero.

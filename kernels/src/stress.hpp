@@ -9,18 +9,42 @@
 namespace rgimp::kernels {
 namespace {
 
-/// Strain and rotation of a step in the plane: exx, eyy, engineering shear, and
-/// dt (dvx/dy - dvy/dx), twice the rotation.
-struct PlaneIncrement {
+/// Strain of a step, with engineering shears, and twice its rotation.
+template <int Dim>
+struct Increment;
+
+template <>
+struct Increment<2> {
   Batch xx;
   Batch yy;
   Batch xy;
-  Batch turn;
+  Batch turn_xy;  // dt (dvx/dy - dvy/dx)
 };
 
+template <>
+struct Increment<3> {
+  Batch xx;
+  Batch yy;
+  Batch zz;
+  Batch xy;
+  Batch yz;
+  Batch xz;
+  Batch turn_xy;
+  Batch turn_yz;  // dt (dvy/dz - dvz/dy)
+  Batch turn_xz;  // dt (dvx/dz - dvz/dx)
+};
+
+inline Batch trace(const Increment<2>& e) {
+  return e.xx + e.yy;
+}
+
+inline Batch trace(const Increment<3>& e) {
+  return e.xx + e.yy + e.zz;
+}
+
 /// `dt` is 0 in padding. Slopes along y are first turned into slopes per two cells along x.
-inline PlaneIncrement increment_at(const VectorCoefficients<2>& velocity, const Basis<2>& basis,
-                                   const ShapeConstants<2>& shape, Batch dt) {
+inline Increment<2> increment_at(const VectorCoefficients<2>& velocity, const Basis<2>& basis,
+                                 const ShapeConstants<2>& shape, Batch dt) {
   const Batch dt_per_two_cells = dt * Batch(0.5 * shape.cells_per_metre[0]);
   const Batch aspect(shape.aspect[1]);
   Batch x[2];
@@ -32,6 +56,32 @@ inline PlaneIncrement increment_at(const VectorCoefficients<2>& velocity, const 
           dt_per_two_cells * fused(aspect, x[1], -y[0])};
 }
 
+/// As in the plane; slopes along z likewise.
+inline Increment<3> increment_at(const VectorCoefficients<3>& velocity, const Basis<3>& basis,
+                                 const ShapeConstants<3>& shape, Batch dt) {
+  const Batch along_x = dt * Batch(0.5 * shape.cells_per_metre[0]);
+  const Batch along_y = along_x * Batch(shape.aspect[1]);
+  const Batch along_z = along_x * Batch(shape.aspect[2]);
+  Batch x[3];
+  Batch y[3];
+  Batch z[3];
+  gradient_at(velocity.component[0], basis, x);
+  gradient_at(velocity.component[1], basis, y);
+  gradient_at(velocity.component[2], basis, z);
+  const Batch x_by_y = along_y * x[1];
+  const Batch x_by_z = along_z * x[2];
+  const Batch y_by_z = along_z * y[2];
+  return {along_x * x[0],
+          along_y * y[1],
+          along_z * z[2],
+          fused(along_x, y[0], x_by_y),
+          fused(along_y, z[1], y_by_z),
+          fused(along_x, z[0], x_by_z),
+          fused(-along_x, y[0], x_by_y),
+          fused(-along_y, z[1], y_by_z),
+          fused(-along_x, z[0], x_by_z)};
+}
+
 struct Elasticity {
   explicit Elasticity(const MaterialConstants& material)
       : lambda(material.lambda), shear_modulus(material.shear_modulus) {}
@@ -41,6 +91,7 @@ struct Elasticity {
 };
 
 /// A material's constants as a step needs them.
+template <int Dim>
 struct StepMaterial {
   StepMaterial(const MaterialConstants& material, double dt)
       : elasticity(material),
@@ -51,59 +102,89 @@ struct StepMaterial {
   Elasticity elasticity;
   double quadratic_viscosity;  // m2/s2, per squared strain of a step
   double linear_viscosity;     // m2/s2, per strain of a step
-  FailureTest test;
+  FailureTest<Dim> test;
 };
 
 /// Hooke's law in plane strain with the Jaumann rate, sigma += C : D dt + W sigma - sigma W.
-inline PlaneStress elastic_stress(const PlaneStress& s, const PlaneIncrement& e, Batch strain_trace,
-                                  const Elasticity& material) {
+inline Stress<2> elastic_stress(const Stress<2>& s, const Increment<2>& e, Batch strain_trace,
+                                const Elasticity& material) {
   const Batch lambda(material.lambda);
   const Batch twice_shear(2.0 * material.shear_modulus);
-  const Batch turned = e.turn * s.xy;
+  const Batch turned = e.turn_xy * s.xy;
   const Batch half_difference = Batch(0.5) * (s.yy - s.xx);
   return {fused(twice_shear, e.xx, fused(lambda, strain_trace, s.xx)) + turned,
           fused(twice_shear, e.yy, fused(lambda, strain_trace, s.yy)) - turned,
           fused(lambda, strain_trace, s.zz),
-          fused(Batch(material.shear_modulus), e.xy, fused(e.turn, half_difference, s.xy))};
+          fused(Batch(material.shear_modulus), e.xy, fused(e.turn_xy, half_difference, s.xy))};
 }
 
-inline PlaneStress load_stress(const ParticleView<2>& p, std::size_t index) {
-  return {Batch::load_aligned(p.stress[0] + index), Batch::load_aligned(p.stress[1] + index),
-          Batch::load_aligned(p.stress[2] + index), Batch::load_aligned(p.stress[3] + index)};
+/// The same in three dimensions.
+inline Stress<3> elastic_stress(const Stress<3>& s, const Increment<3>& e, Batch strain_trace,
+                                const Elasticity& material) {
+  const Batch half(0.5);
+  const Batch shear(material.shear_modulus);
+  const Batch twice_shear(2.0 * material.shear_modulus);
+  const Batch volumetric = Batch(material.lambda) * strain_trace;
+  const Batch xy = half * e.turn_xy;
+  const Batch yz = half * e.turn_yz;
+  const Batch xz = half * e.turn_xz;
+  const Batch in_xy = e.turn_xy * s.xy;
+  const Batch in_yz = e.turn_yz * s.yz;
+  const Batch in_xz = e.turn_xz * s.xz;
+  return {fused(twice_shear, e.xx, s.xx + volumetric) + (in_xy + in_xz),
+          fused(twice_shear, e.yy, s.yy + volumetric) + (in_yz - in_xy),
+          fused(twice_shear, e.zz, s.zz + volumetric) - (in_xz + in_yz),
+          fused(shear, e.xy, fused(xy, s.yy - s.xx, s.xy)) + fused(xz, s.yz, yz * s.xz),
+          fused(shear, e.yz, fused(yz, s.zz - s.yy, s.yz)) - fused(xy, s.xz, xz * s.xy),
+          fused(shear, e.xz, fused(xz, s.zz - s.xx, s.xz)) + fused(xy, s.yz, -yz * s.xy)};
 }
 
 /// A batch of lanes whose elastic stress is known and which holds failed or failing particles.
+template <int Dim>
 struct Trial {
-  PlaneStress stress;
-  PlaneIncrement increment;
-  Circle circle;
+  Stress<Dim> stress;
+  Increment<Dim> increment;
   Batch mode;
   Batch volume;
+  Mask may_fail;
 };
 
 /// Half the work of the dropped stress on the step's strain, J/m3: the stress rose to its trial
 /// value during the step, so this part was never put in. Booked as released it would grow with
 /// every step of a failed particle, without bound.
-inline Batch half_work(const PlaneStress& s, const PlaneStress& left, const PlaneIncrement& e) {
+inline Batch half_work(const Stress<2>& s, const Stress<2>& left, const Increment<2>& e) {
   return Batch(0.5) *
          fused(s.xx - left.xx, e.xx, fused(s.yy - left.yy, e.yy, (s.xy - left.xy) * e.xy));
 }
 
+inline Batch half_work(const Stress<3>& s, const Stress<3>& left, const Increment<3>& e) {
+  const Batch normal =
+      fused(s.xx - left.xx, e.xx, fused(s.yy - left.yy, e.yy, (s.zz - left.zz) * e.zz));
+  const Batch shear =
+      fused(s.xy - left.xy, e.xy, fused(s.yz - left.yz, e.yz, (s.xz - left.xz) * e.xz));
+  return Batch(0.5) * (normal + shear);
+}
+
 /// Failures of a row of bins. Apart from StressUpdate, as its functions are not inlined: what they
 /// can reach, the compiler reads anew after every store.
+template <int Dim>
 class FailureLog {
  public:
   explicit FailureLog(std::int32_t step) : step_(step) {}
 
   /// The stress left to the lanes that have failed or fail now.
-  [[gnu::noinline]] PlaneStress fail(ParticleView<2> particles, std::size_t index, int part,
-                                     const Trial& trial, const MaterialConstants& material) {
-    const PlaneStress& s = trial.stress;
-    const Batch now = xsimd::select(trial.mode == Batch(kIntact),
-                                    failure_mode(s, trial.circle, material.limits), trial.mode);
-    note_new(particles, index, trial.mode, now);
+  [[gnu::noinline]] Stress<Dim> fail(ParticleView<Dim> particles, std::size_t index, int part,
+                                     const Trial<Dim>& trial, const MaterialConstants& material) {
+    const Stress<Dim>& s = trial.stress;
+    Batch now = trial.mode;
+    // Most batches that come here only hold what failed long ago.
+    const Mask in_question = trial.may_fail & (trial.mode == Batch(kIntact));
+    if (xsimd::any(in_question)) {
+      now = xsimd::select(in_question, failure_mode(s, material.limits), trial.mode);
+      note_new(particles, index, trial.mode, now);
+    }
     const Mask failed = now > Batch(kIntact);
-    const PlaneStress left = failed_stress(s, material);
+    const Stress<Dim> left = failed_stress(s, material);
     const Batch released =
         trial.volume * (energy_density(s, material) - energy_density(left, material) -
                         half_work(s, left, trial.increment));
@@ -113,22 +194,22 @@ class FailureLog {
 
   /// The same for a material that softens. The trial stress holds for lanes that are not softening
   /// yet; the others take their step from the effective stress.
-  [[gnu::noinline]] PlaneStress soften(ParticleView<2> particles, std::size_t index, int part,
-                                       const Trial& trial, const MaterialConstants& material) {
+  [[gnu::noinline]] Stress<Dim> soften(ParticleView<Dim> particles, std::size_t index, int part,
+                                       const Trial<Dim>& trial, const MaterialConstants& material) {
     const Mask softening = (trial.mode > Batch(kIntact)) & (trial.mode < Batch(kFailedInTension));
     const Batch damage =
         xsimd::select(softening, Batch::load_aligned(particles.damage + index), Batch(0.0));
-    const PlaneStress resumed =
+    const Stress<Dim> resumed =
         elastic_stress(effective_stress(load_stress(particles, index), damage), trial.increment,
-                       trial.increment.xx + trial.increment.yy, Elasticity(material));
-    const PlaneStress s = choose(softening, resumed, trial.stress);
+                       trace(trial.increment), Elasticity(material));
+    const Stress<Dim> s = choose(softening, resumed, trial.stress);
     const Softened now = grow_damage(s, trial.mode, damage, material);
     note_new(particles, index, trial.mode, now.mode);
     const Mask failed = now.mode >= Batch(kFailedInTension);
     xsimd::select(failed, Batch(1.0), now.damage).store_aligned(particles.damage + index);
 
-    const PlaneStress carried = nominal_stress(s, now.damage);
-    const PlaneStress left = choose(failed, failed_stress(carried, material), carried);
+    const Stress<Dim> carried = nominal_stress(s, now.damage);
+    const Stress<Dim> left = choose(failed, failed_stress(carried, material), carried);
     const Batch energy_left = xsimd::select(failed, energy_density(left, material),
                                             elastic_energy_density(s, now.damage, material));
     const Batch released =
@@ -144,7 +225,7 @@ class FailureLog {
   std::int64_t shear() const { return shear_; }
 
  private:
-  void note_new(const ParticleView<2>& particles, std::size_t index, Batch before, Batch now) {
+  void note_new(const ParticleView<Dim>& particles, std::size_t index, Batch before, Batch now) {
     alignas(64) double was[kLanes];
     alignas(64) double is[kLanes];
     before.store_aligned(was);
@@ -166,9 +247,11 @@ class FailureLog {
 };
 
 /// Stress of the particles of a row of bins, and what they add to the row's sums.
+template <int Dim>
 class StressUpdate {
  public:
-  StressUpdate(const ParticleView<2>& particles, const ParticleUpdate& update, FailureLog& log)
+  StressUpdate(const ParticleView<Dim>& particles, const ParticleUpdate& update,
+               FailureLog<Dim>& log)
       : p_(particles),
         materials_(update.materials),
         dt_(update.dt),
@@ -177,21 +260,21 @@ class StressUpdate {
         constants_(*last_, update.dt) {}
 
   /// V, q V and sigma at the end of the step.
-  void batch(std::size_t index, int part, const PlaneIncrement& e) {
+  void batch(std::size_t index, int part, const Increment<Dim>& e) {
     const MaterialConstants& material = materials_[p_.slot_material[index / kGroupWidth]];
     use(material);
-    const Batch strain_trace = e.xx + e.yy;
+    const Batch strain_trace = trace(e);
     const Batch volume = update_volume(index, part, strain_trace);
-    PlaneStress s = elastic_stress(load_stress(p_, index), e, strain_trace, constants_.elasticity);
-    const Circle circle = circle_of(s);
+    Stress<Dim> s = elastic_stress(load_stress(p_, index), e, strain_trace, constants_.elasticity);
     const Batch mode = Batch::load_aligned(p_.failure_mode + index);
     // Rare: a handful of particles in a hundred thousand.
-    if (xsimd::any(may_fail(s, circle, constants_.test) | (mode > Batch(kIntact)))) {
-      const Trial trial{s, e, circle, mode, volume};
+    const Mask in_danger = may_fail(s, constants_.test);
+    if (xsimd::any(in_danger | (mode > Batch(kIntact)))) {
+      const Trial<Dim> trial{s, e, mode, volume, in_danger};
       s = material.softens ? log_->soften(p_, index, part, trial, material)
                            : log_->fail(p_, index, part, trial, material);
     }
-    store(index, s);
+    store_stress(p_, index, s);
   }
 
   double viscous_work() const { return -viscous_work_.total(); }
@@ -201,15 +284,8 @@ class StressUpdate {
   void use(const MaterialConstants& material) {
     if (&material != last_) {
       last_ = &material;
-      constants_ = StepMaterial(material, dt_);
+      constants_ = StepMaterial<Dim>(material, dt_);
     }
-  }
-
-  void store(std::size_t index, const PlaneStress& s) const {
-    s.xx.store_aligned(p_.stress[0] + index);
-    s.yy.store_aligned(p_.stress[1] + index);
-    s.zz.store_aligned(p_.stress[2] + index);
-    s.xy.store_aligned(p_.stress[3] + index);
   }
 
   /// V and q V = m (c0 L^2 (tr D)^2 + c1 L c |tr D|) in compression; returns V.
@@ -227,12 +303,12 @@ class StressUpdate {
     return volume;
   }
 
-  ParticleView<2> p_;
+  ParticleView<Dim> p_;
   const MaterialConstants* materials_;
   double dt_;
-  FailureLog* log_;
+  FailureLog<Dim>* log_;
   const MaterialConstants* last_;
-  StepMaterial constants_;
+  StepMaterial<Dim> constants_;
   LaneSum viscous_work_;
 };
 
