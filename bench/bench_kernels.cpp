@@ -146,7 +146,7 @@ void time_kernel(benchmark::State& state, const Kernel& kernel, Isa isa) {
   KernelState on = initial_state();
   on.hold_still();
   const Table& table = kernels::kernels_for<2>(isa);
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     kernel.run(table, on);
   }
   const std::size_t places = kernel.on_nodes ? on.node_count() : on.particles.lanes();
@@ -161,7 +161,7 @@ void time_part(benchmark::State& state, const NamedPart& named, Isa isa) {
   const PartInput input = on.part_input();
   Column<double> out(kSlotsKept * kernels::kGroupWidth * named.columns);
   const Part part = parts_for(isa).*named.part;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     part(input, out.data(), kSlotsKept - 1);
   }
   count(state, on, named.doubles * static_cast<double>(on.particles.lanes()));

@@ -36,7 +36,7 @@ void fma(benchmark::State& state, Isa isa, int threads) {
   Workers workers(threads);
   std::vector<double> sums(kChunks);
   workers.region([&] {
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
       workers.for_each(kChunks, [&](std::ptrdiff_t i) { sums[i] = loops.fma(kRounds); });
       benchmark::DoNotOptimize(sums.data());
       benchmark::ClobberMemory();
@@ -70,7 +70,7 @@ void triad(benchmark::State& state, int threads) {
   const std::vector<double> c(length, 2.0);
   Workers workers(threads);
   workers.region([&] {
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
       workers.for_each(chunks, [&](std::ptrdiff_t i) {
         loops.triad(a.data(), b.data(), c.data(), i * kChunk, (i + 1) * kChunk);
       });

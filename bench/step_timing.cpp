@@ -37,7 +37,7 @@ void time_steps(benchmark::State& state, const Setting& setting) {
   Engine engine(setting, example_1(setting));
   const std::int64_t steps = steps_per_iteration(engine.particles());
   engine.steps(steps);
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     engine.steps(steps);
   }
   const HistoryRow row = engine.history();

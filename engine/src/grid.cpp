@@ -30,9 +30,9 @@ template <int Dim>
 Vector Grid<Dim>::position(std::ptrdiff_t node, int layer) const {
   const GridExtent& extent = extent_[layer];
   const std::ptrdiff_t row = node / row_stride();
+  const std::ptrdiff_t plane = row / extent.nodes[1];
   const Vector index(static_cast<double>(node % row_stride()),
-                     static_cast<double>(row % extent.nodes[1]),
-                     static_cast<double>(row / extent.nodes[1]));
+                     static_cast<double>(row % extent.nodes[1]), static_cast<double>(plane));
   return extent.origin + extent.spacing.cwiseProduct(index);
 }
 

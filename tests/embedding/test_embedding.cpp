@@ -156,7 +156,8 @@ TEST_CASE("a simulation goes from thread to thread, and others come and go, with
   Simulation moved = std::move(simulation);
   simulation = Simulation(second_case());
   simulation = std::move(moved);
-  CHECK(hash_after(std::move(simulation), kSteps) == expected);
+  const auto hash = hash_after(std::move(simulation), kSteps);
+  CHECK(hash == expected);
   done = true;
   CHECK(others.get());
 }

@@ -254,11 +254,11 @@ RowSums run_pass(Pass pass, const KernelTable<2>& k, RandomState& s, double dt, 
 }
 
 TEST_CASE("passes equal their scalar twins, sums included") {
-  for (const auto& [name, pass] : kPasses) {
-    INFO(name);
+  for (const NamedPass& named : kPasses) {
+    INFO(named.name);
     std::vector<RowSums> all;
     compare([&](const KernelTable<2>& k, RandomState& s) {
-      all.push_back(run_pass(pass, k, s, kDt, all_rows(s)));
+      all.push_back(run_pass(named.pass, k, s, kDt, all_rows(s)));
     });
     std::int64_t failed_tension = 0;
     std::int64_t failed_shear = 0;
@@ -276,9 +276,9 @@ TEST_CASE("passes equal their scalar twins, sums included") {
       }
     }
     // The states were chosen to reach every branch.
-    const bool strains = pass == &KernelTable<2>::strain_and_move ||
-                         pass == &KernelTable<2>::accelerate_strain_and_move ||
-                         pass == &KernelTable<2>::strain;
+    const bool strains = named.pass == &KernelTable<2>::strain_and_move ||
+                         named.pass == &KernelTable<2>::accelerate_strain_and_move ||
+                         named.pass == &KernelTable<2>::strain;
     REQUIRE((failed_tension > 100) == strains);
     REQUIRE((failed_shear > 100) == strains);
   }

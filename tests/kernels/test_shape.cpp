@@ -58,10 +58,15 @@ struct Drifted : OneParticle {
 template <typename Check>
 void on_every_isa_and_place(Check check) {
   for (const Isa isa : kernels::kAllIsas) {
+    if (!kernels::available(isa)) {
+      continue;
+    }
     for (const int particles_per_cell : {2, 3, 4}) {
-      const double reach = kernels::available(isa) ? 1.0 - 0.5 / particles_per_cell : -1.0;
-      for (double x = -reach; x <= reach; x += reach / 6) {
-        for (double y = -reach; y <= reach; y += reach / 12) {
+      const double reach = 1.0 - 0.5 / particles_per_cell;
+      for (int column = -6; column <= 6; ++column) {
+        for (int row = -12; row <= 12; ++row) {
+          const double x = reach * column / 6;
+          const double y = reach * row / 12;
           INFO(kernels::name(isa) << ", " << particles_per_cell << " particles per cell, at (" << x
                                   << ", " << y << ") cells");
           Drifted one(particles_per_cell, x, y);

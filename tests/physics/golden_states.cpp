@@ -83,12 +83,7 @@ void print_state(const GoldenCase& golden, kernels::Isa isa) {
              state_hash(model.solver.particles()), format_history_row(row));
 }
 
-}  // namespace
-}  // namespace rgimp::tests
-
-int main() {
-  using namespace rgimp;
-  using namespace rgimp::tests;
+void print_states() {
   const GoldenCase cases[] = {{"block-musl", [] { return with_integrator(Integrator::musl); }},
                               {"block-usl", [] { return with_integrator(Integrator::usl); }},
                               {"block-usf", [] { return with_integrator(Integrator::usf); }},
@@ -102,4 +97,17 @@ int main() {
       }
     }
   }
+}
+
+}  // namespace
+}  // namespace rgimp::tests
+
+int main() {
+  try {
+    rgimp::tests::print_states();
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "golden_states: error: {}\n", error.what());
+    return 1;
+  }
+  return 0;
 }

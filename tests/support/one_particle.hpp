@@ -19,7 +19,8 @@ struct PlaneGradient {
 /// One particle in the middle of a small grid, strained by a linear velocity field.
 class OneParticle {
  public:
-  explicit OneParticle(const Material& material, Vector offset_cells = Vector(0.25, -0.25, 0.0),
+  explicit OneParticle(const Material& material,
+                       const Vector& offset_cells = Vector(0.25, -0.25, 0.0),
                        int particles_per_cell = 2)
       : workers_(1),
         grid_({Vector::Zero(), Vector::Constant(kCell), {17, 17, 1}}, particles_per_cell, 0.0) {

@@ -95,12 +95,12 @@ void add_free_blocks(CLI::App& app, Request& request) {
 }  // namespace rgimp::verification
 
 int main(int argc, char** argv) {
-  CLI::App app("Runs one of the community's problems and prints a JSON line");
-  app.require_subcommand(1);
-  rgimp::verification::Request request;
-  rgimp::verification::add_manufactured(app, request);
-  rgimp::verification::add_free_blocks(app, request);
   try {
+    CLI::App app("Runs one of the community's problems and prints a JSON line");
+    app.require_subcommand(1);
+    rgimp::verification::Request request;
+    rgimp::verification::add_manufactured(app, request);
+    rgimp::verification::add_free_blocks(app, request);
     CLI11_PARSE(app, argc, argv);
   } catch (const std::exception& error) {
     std::cerr << "verification_community: error: " << error.what() << '\n';
