@@ -51,14 +51,17 @@ class Workers {
   void visit(std::ptrdiff_t index);
   void help();
 
+  static constexpr std::size_t kCacheLine = 64;  // bytes
+
   std::unique_ptr<Arena> arena_;
-  Phase phase_{};
+  // What every ticket touches shares one line, whatever the object lies beside.
+  alignas(kCacheLine) Phase phase_{};
   // Tickets of the running phase: phase number, count and next index in one word, so that a late
   // helper can never take an index of a phase it has not seen.
   std::atomic<std::uint64_t> tickets_{0};
   std::atomic<std::ptrdiff_t> done_{0};
   std::atomic<bool> open_{false};
-  std::mutex error_mutex_;
+  alignas(kCacheLine) std::mutex error_mutex_;
   std::exception_ptr error_;  // of the running phase
   std::ptrdiff_t error_index_ = 0;
 };
