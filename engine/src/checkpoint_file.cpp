@@ -37,12 +37,6 @@ std::uint64_t word_at(std::string_view bytes, std::size_t place) {
   return value;
 }
 
-/// A pipe or device, which may have no end, or block.
-bool is_special(const std::filesystem::path& path) {
-  std::error_code ignored;  // one that is not there is not special
-  return std::filesystem::is_other(path, ignored);
-}
-
 std::size_t size_of(std::string_view type) {
   return type == "uint8" ? 1 : type == "int32" || type == "uint32" ? 4 : 8;
 }
@@ -168,25 +162,9 @@ void CheckpointReader::copy(std::string_view bytes, void* target) {
   }
 }
 
-std::string read_bytes(const std::filesystem::path& path) {
-  if (is_special(path)) {
-    throw FileError(fmt::format("cannot read '{}': it is not a regular file", path.string()));
-  }
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error) {
-    throw FileError(fmt::format("cannot read '{}': {}", path.string(), error.message()));
-  }
-  std::string bytes(size, '\0');
-  std::ifstream file(path, std::ios::binary);
-  if (!file.read(bytes.data(), static_cast<std::streamsize>(size))) {
-    throw FileError(fmt::format("cannot read '{}'", path.string()));
-  }
-  return bytes;
-}
-
 std::optional<std::int64_t> claimed_step(const std::filesystem::path& path) {
-  if (is_special(path)) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) {
     return std::nullopt;
   }
   std::ifstream file(path, std::ios::binary);

@@ -136,8 +136,6 @@ class CheckpointReader {
   std::map<std::string, Column, std::less<>> columns_;
 };
 
-/// Throws FileError.
-std::string read_bytes(const std::filesystem::path& path);
 /// The step that a file says it is a checkpoint of, for choosing between several before one is
 /// read; none where there is no such file.
 std::optional<std::int64_t> claimed_step(const std::filesystem::path& path);

@@ -7,6 +7,7 @@
 #include "atomic_file.hpp"
 #include "case_names.hpp"
 #include "geometry.hpp"
+#include "input_file.hpp"
 #include "rgimp/case_file.hpp"
 #include "rgimp/cracks.hpp"
 #include "rgimp/error.hpp"
@@ -50,14 +51,6 @@ SnapshotFile last_snapshot(const fs::path& directory) {
     throw FileError(fmt::format("there are no snapshots in '{}'", directory.string()));
   }
   return last;
-}
-
-/// A pipe or device would be waited for.
-void require_regular_file(const fs::path& path) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(path, ignored)) {
-    throw FileError(fmt::format("cannot read '{}': not a regular file", path.string()));
-  }
 }
 
 /// What failed after `step` is intact again.

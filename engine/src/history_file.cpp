@@ -6,22 +6,19 @@
 #include <utility>
 
 #include "atomic_file.hpp"
-#include "checkpoint_file.hpp"
+#include "input_file.hpp"
 #include "rgimp/error.hpp"
 
 namespace rgimp {
 
 namespace {
 
-/// Returns `path` once the file has no more bytes than at `past`.
-const std::filesystem::path& cut_back(const std::filesystem::path& path,
-                                      const HistoryFile::Extent& past) {
+void cut_back(const std::filesystem::path& path, std::uint64_t bytes) {
   std::error_code error;
-  std::filesystem::resize_file(path, past.bytes, error);
+  std::filesystem::resize_file(path, bytes, error);
   if (error) {
     throw FileError(fmt::format("cannot write '{}': {}", path.string(), error.message()));
   }
-  return path;
 }
 
 }  // namespace
@@ -38,17 +35,23 @@ HistoryFile::HistoryFile(std::filesystem::path path)
   write(fmt::format("{}\n", kHistoryHeader));
 }
 
-bool HistoryFile::reaches(const std::filesystem::path& path, const Extent& past) {
+std::optional<HistoryFile> HistoryFile::go_on(const std::filesystem::path& path,
+                                              const Extent& past) {
   const std::string bytes = read_bytes(path);
-  return bytes.size() >= past.bytes &&
-         checksum_of(std::string_view(bytes).substr(0, past.bytes)) == past.checksum;
+  Checksum checksum;
+  checksum.add(std::string_view(bytes).substr(0, past.bytes));
+  if (bytes.size() < past.bytes || checksum.value() != past.checksum) {
+    return std::nullopt;
+  }
+  cut_back(path, past.bytes);
+  return HistoryFile(path, past.bytes, std::move(checksum));
 }
 
-HistoryFile::HistoryFile(std::filesystem::path path, const Extent& past)
-    : path_(std::move(path)), stream_(cut_back(path_, past), OutputStream::Start::at_end) {
-  checksum_.add(read_bytes(path_));
-  bytes_ = past.bytes;
-}
+HistoryFile::HistoryFile(const std::filesystem::path& path, std::uint64_t bytes, Checksum checksum)
+    : path_(path),
+      stream_(path, OutputStream::Start::at_end),
+      checksum_(std::move(checksum)),
+      bytes_(bytes) {}
 
 void HistoryFile::append(const HistoryRow& row) {
   write(format_history_row(row) + "\n");

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -30,10 +31,9 @@ class HistoryFile {
   };
 
   explicit HistoryFile(std::filesystem::path path);
-  /// Whether a file holds what it held at `past`, and maybe more.
-  static bool reaches(const std::filesystem::path& path, const Extent& past);
-  /// Goes on with a file that reaches `past`, cut back to there.
-  HistoryFile(std::filesystem::path path, const Extent& past);
+  /// Goes on with a file, cut back to `past`; none, and the file as it was, where it does not hold
+  /// what it held then.
+  static std::optional<HistoryFile> go_on(const std::filesystem::path& path, const Extent& past);
 
   void append(const HistoryRow& row);
   /// Returns when all is on disk.
@@ -41,6 +41,7 @@ class HistoryFile {
   void close() { stream_.close(); }
 
  private:
+  HistoryFile(const std::filesystem::path& path, std::uint64_t bytes, Checksum checksum);
   void write(std::string_view text);
 
   std::filesystem::path path_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "rgimp/error.hpp"
 
@@ -51,6 +52,15 @@ struct Recorder::Past {
   std::vector<SnapshotTime> snapshots;
   std::string isa;
 
+  /// None where the note is not a run's.
+  static std::optional<Past> read(std::string_view note) {
+    try {
+      return Past(Json::parse(note));
+    } catch (const nlohmann::json::exception&) {
+      return std::nullopt;
+    }
+  }
+
   explicit Past(const Json& json)
       : first_row(history_row(json.at("first_row"))),
         last_row(history_row(json.at("last_row"))),
@@ -70,22 +80,24 @@ Recorder::Recorder(const Simulation& simulation, OutputDirectory& directory)
       schedule_(simulation.settings().output, simulation.facts().total_steps),
       history_(directory.history_file()) {}
 
-Recorder::Recorder(const Simulation& simulation, OutputDirectory& directory, std::string_view note)
-    : Recorder(simulation, directory, Past(Json::parse(note))) {}
-
-bool Recorder::fits(const OutputDirectory& directory, std::string_view note) {
-  try {
-    return HistoryFile::reaches(directory.history_file(), Past(Json::parse(note)).history);
-  } catch (const nlohmann::json::exception&) {  // the note is not a run's
-    return false;
+std::unique_ptr<Recorder> Recorder::go_on(const Simulation& simulation, OutputDirectory& directory,
+                                          std::string_view note) {
+  const std::optional<Past> past = Past::read(note);
+  if (!past) {
+    return nullptr;
   }
+  auto history = HistoryFile::go_on(directory.history_file(), past->history);
+  return history ? std::unique_ptr<Recorder>(
+                       new Recorder(simulation, directory, *past, std::move(*history)))
+                 : nullptr;
 }
 
-Recorder::Recorder(const Simulation& simulation, OutputDirectory& directory, const Past& past)
+Recorder::Recorder(const Simulation& simulation, OutputDirectory& directory, const Past& past,
+                   HistoryFile history)
     : simulation_(simulation),
       directory_(directory),
       schedule_(simulation.settings().output, simulation.facts().total_steps),
-      history_(directory.history_file(), past.history),
+      history_(std::move(history)),
       first_row_(past.first_row),
       last_row_(past.last_row),
       history_step_(past.last_row.step),

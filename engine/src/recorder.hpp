@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,12 +20,11 @@ class Recorder {
  public:
   /// Starts both anew.
   Recorder(const Simulation& simulation, OutputDirectory& directory);
-  /// Whether a note is one of a recorder, and the history in the directory still what it was when
-  /// the note was taken, or longer. Throws FileError where the history cannot be read.
-  static bool fits(const OutputDirectory& directory, std::string_view note);
-  /// Goes on where a note that fits was taken: the history is cut back to it, and later snapshots
-  /// go.
-  Recorder(const Simulation& simulation, OutputDirectory& directory, std::string_view note);
+  /// Goes on where a note was taken: the history is cut back to it, and later snapshots go. None,
+  /// with nothing touched, where the note is not one of a recorder, or the history no longer what
+  /// it was then. Throws FileError where the history cannot be read.
+  static std::unique_ptr<Recorder> go_on(const Simulation& simulation, OutputDirectory& directory,
+                                         std::string_view note);
 
   const OutputSchedule& schedule() const { return schedule_; }
   const HistoryRow& first_row() const { return first_row_; }
@@ -43,7 +43,8 @@ class Recorder {
  private:
   struct Past;
 
-  Recorder(const Simulation& simulation, OutputDirectory& directory, const Past& past);
+  Recorder(const Simulation& simulation, OutputDirectory& directory, const Past& past,
+           HistoryFile history);
   void write_history();
   void write_snapshot();
 

@@ -9,6 +9,7 @@
 
 #include "case_of_state.hpp"
 #include "checkpoint_file.hpp"
+#include "input_file.hpp"
 #include "rgimp/case_file.hpp"
 #include "rgimp/error.hpp"
 
@@ -81,6 +82,7 @@ bool is_finished(const OutputDirectory& directory, const Simulation& simulation)
 void require_case_of(const OutputDirectory& directory, const Simulation& simulation) {
   const fs::path file = directory.case_file();
   if (fs::exists(file)) {
+    require_regular_file(file);
     require_same_case(simulation.settings(), case_of_state(read_case(file)), file.string());
   }
 }
@@ -94,12 +96,12 @@ std::optional<Resumption> restore_newest(Simulation& simulation, OutputDirectory
       continue;
     }
     refuse_past_end(simulation, file);
-    if (!Recorder::fits(directory, *note)) {
+    auto recorder = Recorder::go_on(simulation, directory, *note);
+    if (!recorder) {
       notice(fmt::format("'{}' is no longer what it was when '{}' was written",
                          directory.history_file().string(), file.string()));
       continue;
     }
-    auto recorder = std::make_unique<Recorder>(simulation, directory, *note);
     notice_rounding(recorder->past_isa(), simulation.facts().isa, notice);
     return Resumption{file, std::move(recorder)};
   }

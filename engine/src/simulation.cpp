@@ -8,6 +8,7 @@
 
 #include "case_of_state.hpp"
 #include "checkpoint_file.hpp"
+#include "input_file.hpp"
 #include "rgimp/case_file.hpp"
 #include "rgimp/error.hpp"
 #include "solver.hpp"

@@ -10,23 +10,12 @@ import tomllib
 import unittest
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
+from case_text import BLOCK  # noqa: E402
+
 RGIMP = sys.argv.pop(1)
 TUNE = Path(__file__).resolve().parents[2] / "bench" / "tune"
-CASE = """
-dimension = 2
-[grid]
-cell_size = 0.5e-3
-[[body]]
-shape = "box"
-center = [0.0, 0.0]
-size = [5e-3, 10e-3]
-material = "rock"
-velocity = [0.1, 0.0]
-[material.rock]
-density = 2600.0
-youngs_modulus = 17e9
-poisson_ratio = 0.14
-[time]
+CASE = BLOCK.replace("[material.rock]", "velocity = [0.1, 0.0]\n[material.rock]") + """[time]
 steps = 100000
 """
 

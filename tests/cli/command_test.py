@@ -9,25 +9,14 @@ import tempfile
 import unittest
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
+from case_text import BLOCK  # noqa: E402
+
 COMMAND = Path(sys.argv.pop(1)).resolve()  # the command under test
 DONE, WRONG_REQUEST, PHYSICS_STOPPED, FILE_TROUBLE = 0, 2, 3, 4
 
 # A small block pulled so fast that the first wave breaks it.
-CASE = """
-title = "pulled block"
-dimension = 2
-[grid]
-cell_size = 0.5e-3
-[[body]]
-shape = "box"
-center = [0.0, 0.0]
-size = [5e-3, 10e-3]
-material = "rock"
-[material.rock]
-density = 2600.0
-youngs_modulus = 17e9
-poisson_ratio = 0.14
-[material.rock.failure]
+CASE = '\ntitle = "pulled block"' + BLOCK + """[material.rock.failure]
 criterion = "mohr-coulomb"
 cohesion = 5.95e6
 friction_angle = 40.0

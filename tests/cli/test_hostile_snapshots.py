@@ -1,52 +1,46 @@
 """rgimp cracks on output directories that somebody else prepared."""
 
 import os
-import random
 import shutil
-import sys
 import unittest
-from pathlib import Path
 
 from command_test import CASE, FILE_TROUBLE, WRONG_REQUEST, CommandTest
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
-from hostile_snapshots import HOSTILE, POINTS, flip_bit, h5py  # noqa: E402
+from hostile_snapshots import POINTS, HostileSnapshots, h5py
 
 FLIPS = 100
-METADATA = 4000  # bytes at the start of a snapshot that describe more than they hold
 
 
-class HostileSnapshotsTest(CommandTest):
+class HostileSnapshotsTest(HostileSnapshots, CommandTest):
     def setUp(self):
         super().setUp()
         self.rgimp("run", self.case, "--quiet", "--steps", 60)
         self.snapshot = self.place / "block" / "snapshots" / "step_000000060.vtkhdf"
-        self.whole = self.snapshot.read_bytes()
 
     def test_what_cannot_be_a_snapshot_is_refused(self):
         self.rgimp("cracks", "block")
-        for name, spoil in HOSTILE.items():
-            with self.subTest(name=name):
-                self.snapshot.write_bytes(self.whole)
-                spoil(self.snapshot)
-                result = self.fail_with(FILE_TROUBLE, "cracks", "block", says=[self.snapshot.name])
-                self.assertNotIn("nobody may read", result.stdout + result.stderr)
+
+        def check():
+            result = self.fail_with(FILE_TROUBLE, "cracks", "block", says=[self.snapshot.name])
+            self.assertNotIn("nobody may read", result.stdout + result.stderr)
+
+        self.for_each_hostile(check)
 
     def test_numbers_that_no_run_writes_are_refused(self):
+        whole = self.snapshot.read_bytes()
         for name, row, number in (("id", 0, 1), ("id", 0, 4294967295), ("failed", 0, 7),
                                   ("failed", 0, 1), ("failure_step", 0, 2147483647)):
             with self.subTest(name=name, number=number):
-                self.snapshot.write_bytes(self.whole)
+                self.snapshot.write_bytes(whole)
                 with h5py.File(self.snapshot, "r+") as file:
                     file["VTKHDF/PointData"][name][row] = number
                 self.fail_with(FILE_TROUBLE, "cracks", "block", says=[self.snapshot.name])
 
     def test_a_turned_bit_never_crashes(self):
-        generator = random.Random(6)
-        for _ in range(FLIPS):
-            self.snapshot.write_bytes(flip_bit(self.whole, generator, METADATA))
+        def check():
             result = self.attempt("cracks", "block")
             self.assertIn(result.returncode, (0, FILE_TROUBLE), result.stderr)
+
+        self.for_each_turned_bit(FLIPS, check)
 
     def test_files_that_are_none_are_not_waited_for(self):
         self.snapshot.unlink()
@@ -57,7 +51,7 @@ class HostileSnapshotsTest(CommandTest):
         self.fail_with(FILE_TROUBLE, "cracks", "block", says=["not a regular file"])
         self.snapshot.rmdir()
         self.snapshot.symlink_to("nothing")
-        self.fail_with(FILE_TROUBLE, "cracks", "block", says=["not a regular file"])
+        self.fail_with(FILE_TROUBLE, "cracks", "block", says=["No such file"])
 
     def test_the_case_of_the_directory_is_read_with_the_same_care(self):
         case = self.place / "block" / "case.toml"

@@ -208,6 +208,16 @@ class DamageTest(ResumeTest):
             self.assertIn("going on from step", messages)
             self.check_same_results("cut")
 
+    def test_a_pipe_for_another_file_of_the_run_is_not_waited_for(self):
+        for name in ("case.toml", "history.csv", "summary.json"):
+            with self.subTest(name=name):
+                self.fresh_copy()
+                file = self.place / "cut" / name
+                file.unlink(missing_ok=True)
+                os.mkfifo(file)
+                self.fail_with(FILE_TROUBLE, "run", self.case, "-o", "cut", "--resume",
+                               says=[name, "not a regular file"])
+
     def test_rows_and_snapshots_after_the_checkpoint_go(self):
         self.fresh_copy()
         with open(self.place / "cut" / "history.csv", "a", encoding="utf-8") as history:

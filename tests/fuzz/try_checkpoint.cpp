@@ -6,6 +6,7 @@
 
 #include "checkpoint_file.hpp"
 #include "checksum.hpp"
+#include "input_file.hpp"
 #include "models.hpp"
 #include "rgimp/error.hpp"
 #include "targets.hpp"

@@ -7,6 +7,7 @@ import h5py
 import numpy as np
 
 POINTS, FAILED = "VTKHDF/Points", "VTKHDF/PointData/failed"
+METADATA = 4000  # bytes at the start of a snapshot that describe more than they hold
 SECRET = b"what nobody may read" * 500
 
 
@@ -149,7 +150,25 @@ HOSTILE = {
 }
 
 
-def flip_bit(whole, generator, span):
-    """`whole` with one bit of its first `span` bytes turned."""
-    place = generator.randrange(min(span, len(whole)))
-    return whole[:place] + bytes([whole[place] ^ 1 << generator.randrange(8)]) + whole[place + 1:]
+class HostileSnapshots:
+    """For a TestCase: what somebody might do to the good snapshot whose path is self.snapshot."""
+
+    def for_each_hostile(self, check):
+        """check() with the snapshot spoiled in every way."""
+        whole = self.snapshot.read_bytes()
+        for name, spoil in HOSTILE.items():
+            with self.subTest(name=name):
+                self.snapshot.write_bytes(whole)
+                spoil(self.snapshot)
+                check()
+
+    def for_each_turned_bit(self, count, check):
+        """check() with the snapshot whole but for one bit, `count` times."""
+        whole = self.snapshot.read_bytes()
+        generator = random.Random(6)
+        for _ in range(count):
+            place, bit = generator.randrange(min(METADATA, len(whole))), generator.randrange(8)
+            with self.subTest(place=place, bit=bit):
+                self.snapshot.write_bytes(
+                    whole[:place] + bytes([whole[place] ^ 1 << bit]) + whole[place + 1:])
+                check()

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <map>
 
+#include "input_file.hpp"
 #include "models.hpp"
 #include "rgimp/rgimp.hpp"
 #include "temporary_directory.hpp"

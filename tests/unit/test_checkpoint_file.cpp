@@ -2,6 +2,7 @@
 #include <cstring>
 
 #include "checkpoint_file.hpp"
+#include "input_file.hpp"
 #include "rgimp/error.hpp"
 #include "temporary_directory.hpp"
 

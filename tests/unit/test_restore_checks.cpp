@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <functional>
 
+#include "input_file.hpp"
 #include "models.hpp"
 #include "rgimp/error.hpp"
 #include "temporary_directory.hpp"

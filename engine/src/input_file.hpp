@@ -1,0 +1,14 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace rgimp {
+
+/// Throws FileError for what is no file, or not there: a pipe or device may have no end, or block.
+void require_regular_file(const std::filesystem::path& path);
+
+/// All of a regular file. Throws FileError.
+std::string read_bytes(const std::filesystem::path& path);
+
+}  // namespace rgimp
