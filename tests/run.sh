@@ -105,7 +105,7 @@ stage_tidy() {
     >build/tidy/compile_commands.json
   step "clang-tidy"
   git ls-files 'engine/*.cpp' 'kernels/*.cpp' 'bench/*.cpp' 'tests/*.cpp' 'examples/*.cpp' |
-    grep --invert-match '^tests/package/\|^tests/fuzz/' |
+    grep --invert-match '^tests/package/\|^tests/fuzz/fuzz_' |
     xargs --max-procs="$(nproc)" --max-args=1 clang-tidy -p build/tidy --quiet \
       --warnings-as-errors='*' --extra-arg=-Wno-unknown-warning-option
 }

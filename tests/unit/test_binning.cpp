@@ -34,6 +34,7 @@ std::vector<ParticleSeed> random_seeds(std::size_t count) {
 
 std::vector<std::uint8_t> materials_of(const std::vector<ParticleSeed>& seeds) {
   std::vector<std::uint8_t> materials;
+  materials.reserve(seeds.size());
   for (const ParticleSeed& seed : seeds) {
     materials.push_back(seed.material);
   }

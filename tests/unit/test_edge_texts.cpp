@@ -89,7 +89,7 @@ TEST_CASE("bytes that are no text") {
   CHECK(message_of("\xef\xbb\xbf" + kRightCase) == "accepted");
   CHECK(message_of("\xef\xbb\xbf") == "1: grid: missing; expected a table");
   CHECK(message_of(" \n\n") == "1: grid: missing; expected a table");
-  CHECK(message_of("\xff\xfet\0" + kRightCase) == "1: " + not_utf8);
+  CHECK(message_of(std::string("\xff\xfet\0", 4) + kRightCase) == "1: " + not_utf8);
   CHECK(message_of(with("small",
                         "sm\xff"
                         "all")) == "1: " + not_utf8);
@@ -141,8 +141,8 @@ TEST_CASE("what nests too deep is refused before it fills the stack") {
 }
 
 TEST_CASE("a file of ten megabytes is read, and one without end is not") {
-  CHECK(message_of(kRightCase + "# " + std::string(10000000, 'x')) == "accepted");
-  CHECK(message_of(kRightCase + "x = \"" + std::string(10000000, 'x') + "\"\n") ==
+  CHECK(message_of(kRightCase + "# " + repeat("x", 10000000)) == "accepted");
+  CHECK(message_of(kRightCase + "x = \"" + repeat("x", 10000000) + "\"\n") ==
         "33: time.x: unknown key; the keys here are steps, duration, step_factor, integrator");
   CHECK_THROWS_MATCHES(
       rgimp::read_case("/dev/zero"), rgimp::FileError,
