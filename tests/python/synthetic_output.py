@@ -19,6 +19,24 @@ def lattice(width=10e-3, height=20e-3):
     return points[np.hypot(*points.T) > 2e-3]
 
 
+BLOCK = (5e-3, 10e-3, 5e-3)  # m
+
+
+def block(size=BLOCK):
+    """Particles of a whole block in space, (n, 3)."""
+    axes = [np.arange(-edge / 2 + PITCH / 2, edge / 2, PITCH) for edge in size]
+    return np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
+
+
+def write_case_in_space(directory, size=BLOCK, bodies=None, flaws="", damping=0.0):
+    """A block, or other bodies and flaws, as TOML."""
+    directory.mkdir(parents=True, exist_ok=True)
+    box = f'[[body]]\nshape = "box"\ncenter = [0.0, 0.0, 0.0]\nsize = {list(size)}\n'
+    (directory / "case.toml").write_text(
+        f'title = "synthetic block"\ndimension = 3\n[grid]\ncell_size = {2 * PITCH}\n'
+        f'{bodies or box}{flaws}[damping]\nlocal = {damping}\n', encoding="utf-8")
+
+
 def write_case(directory, title="synthetic block", dimension=2, damping=0.0, snapshot_steps=()):
     directory.mkdir(parents=True, exist_ok=True)
     (directory / "case.toml").write_text(
@@ -59,7 +77,7 @@ def write_snapshot(directory, step, position, failed=None, failure_step=None, st
         root["NumberOfPoints"] = np.array([n], np.int64)
         root["NumberOfCells"] = np.array([n], np.int64)
         root["NumberOfConnectivityIds"] = np.array([n], np.int64)
-        root["Points"] = np.column_stack([position, np.zeros(n)])
+        root["Points"] = np.column_stack([position, np.zeros((n, 3 - position.shape[1]))])
         root["Connectivity"] = np.arange(n)
         root["Offsets"] = np.arange(n + 1)
         root["Types"] = np.ones(n, np.uint8)

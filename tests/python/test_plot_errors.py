@@ -27,9 +27,9 @@ class ErrorsTest(PlotTest):
         synthetic.write_history(self.directory, (0,))
         self.assert_fails(4, "no snapshots")
 
-    def test_three_dimensions(self):
-        self.write(dimension=3)
-        self.assert_fails(2, "three-dimensional")
+    def test_slices_of_a_plane_run(self):
+        self.write()
+        self.assert_fails(2, "three-dimensional", self.directory, "--slices", 0, 0, 0)
 
     def test_broken_history(self):
         self.write()

@@ -32,8 +32,8 @@ def draw_stress_closure(result):
             axes.axvline(x, color=style.MARK, linewidth=0.7, linestyle=":")
     peak = int(np.argmax(np.where(np.isfinite(stress), stress, -np.inf)))
     upper.plot(closure[peak], stress[peak], "^", color=style.MARK, markersize=8,
-               label=f"peak: {stress[peak]:.3g} MPa at {closure[peak]:.4g} {unit}, "
-                     f"step {int(history['step'][peak]):,}")
+               label=f"peak: {stress[peak]:.3g} MPa, {format_reaction(result, peak)}, at "
+                     f"{closure[peak]:.4g} {unit}, step {int(history['step'][peak]):,}")
     upper.set_ylabel("axial stress (MPa),\ncompression positive")
     upper.legend(fontsize=8.5)
 
@@ -50,6 +50,12 @@ def draw_stress_closure(result):
     return figure
 
 
+def format_reaction(result, row):
+    """Of the platens, in two dimensions for a metre of thickness."""
+    newtons = result.history["reaction_N"][row]
+    return f"{newtons * 1e-3:.3g} " + ("kN/m" if result.dimension() == 2 else "kN")
+
+
 def draw_energy(result):
     history = result.history
     time = history["time_s"] * 1e3
@@ -61,7 +67,7 @@ def draw_energy(result):
         f"Dotted: first failure, step {first:,}." if first is not None else ""))
     for column, name, colour, dash in ENERGIES:
         upper.plot(time, history[column], dash, color=colour, label=name, marker=marker(time))
-    upper.set_ylabel("energy (J per m of thickness)")
+    upper.set_ylabel("energy (J per m of thickness)" if result.dimension() == 2 else "energy (J)")
     upper.legend(fontsize=8.5)
 
     lower.plot(time, error * 100, color=style.MARK, marker=marker(time),
@@ -84,7 +90,7 @@ def energy_error(history):
     if start > reference:
         reference, name = start, "largest energy at the start"
     if reference == 0:
-        reference, name = 1.0, "1 J/m (all energies are zero)"
+        reference, name = 1.0, "1 (all energies are zero)"
     with np.errstate(invalid="ignore"):  # the last row of a run that the physics stopped
         residual = history["external_work_J"] - sum(history[column] for column, *_ in ENERGIES[1:])
     return (residual - residual[0]) / reference, name

@@ -31,7 +31,8 @@ class Snapshot:
     """Particles that can be drawn; a run that the physics stopped may have others at its end."""
     step: int
     left_out: int  # particles whose position or stress is not a finite number
-    position: np.ndarray  # m, (n, 2)
+    position: np.ndarray  # m, (n, 2) or (n, 3)
+    id: np.ndarray  # a particle's is the same in every snapshot
     max_principal_stress: np.ndarray  # Pa
     failed: np.ndarray
     failure_step: np.ndarray  # -1 while intact
@@ -52,13 +53,17 @@ class Result:
     def steps(self):
         return list(self.snapshot_paths)
 
+    def dimension(self):
+        return 3 if self.case.get("dimension", 2) == 3 else 2
+
     def snapshot(self, step):
         if step not in self.snapshot_paths:
             nearest = sorted(sorted(self.steps(), key=lambda other: abs(other - step))[:4])
             raise OutputError(f"no snapshot of step {step}; the nearest are "
                               f"{', '.join(map(str, nearest))}", USAGE)
         if step not in self.read_snapshots:
-            self.read_snapshots[step] = read_snapshot(self.snapshot_paths[step], step)
+            self.read_snapshots[step] = read_snapshot(self.snapshot_paths[step], step,
+                                                      self.dimension())
         return self.read_snapshots[step]
 
     def closure(self, step):
@@ -97,9 +102,6 @@ def read(directory):
         if not (directory / name).is_file():  # a pipe would be waited for
             raise OutputError(f"cannot read {directory / name}: not a regular file")
     case = read_text(directory / "case.toml", tomllib.loads)
-    if case.get("dimension", 2) != 2:
-        raise OutputError("pictures of three-dimensional cases are not supported yet; "
-                          "ParaView opens the snapshots", USAGE)
     summary_path = directory / "summary.json"
     summary = read_text(summary_path, json.loads) if summary_path.exists() else {}
     history = read_history(directory / "history.csv")
@@ -156,14 +158,14 @@ def list_snapshots(folder):
     return dict(sorted(steps.items()))
 
 
-def read_snapshot(path, step):
+def read_snapshot(path, step, dimension):
     if not path.is_file():  # a pipe would be waited for
         raise OutputError(f"cannot read {path}: not a regular file")
     try:
         with h5py.File(path) as file:
             position = read_numbers(file, "VTKHDF/Points").astype(float)
             data = {name: read_numbers(file, f"VTKHDF/PointData/{name}")
-                    for name in ("max_principal_stress", "failed", "failure_step")}
+                    for name in ("id", "max_principal_stress", "failed", "failure_step")}
     except KeyError as error:
         raise OutputError(f"{path} is not a snapshot: {error.args[0]}") from None
     except (OSError, RuntimeError, TypeError, ValueError, AttributeError) as error:
@@ -175,7 +177,7 @@ def read_snapshot(path, step):
             raise OutputError(f"{path}: {name} has shape {column.shape}, "
                               f"expected ({len(position)},)")
     drawable = np.isfinite(position).all(axis=1) & np.isfinite(data["max_principal_stress"])
-    return Snapshot(step, int(np.count_nonzero(~drawable)), position[drawable, :2],
+    return Snapshot(step, int(np.count_nonzero(~drawable)), position[drawable, :dimension],
                     **{name: column[drawable] for name, column in data.items()})
 
 

@@ -31,26 +31,42 @@ def draw_stress(result, step=None):
     snapshot = result.snapshot(eve_step(result, first_failure) if step is None else step)
     intact = snapshot.failed == output.INTACT
     stress = snapshot.max_principal_stress * 1e-6
-    usable = stress[intact]
-    limit = float(np.quantile(np.abs(usable), SCALED)) if usable.size else 0.0
+    limit = stress_limit(stress[intact])
 
     window = Window(result, [snapshot])
-    title = (f"{result.title()}\nMaximum principal stress, {describe(result, snapshot)}\n"
-             f"{relate_to_failure(snapshot.step, first_failure)}")
-    caption = style.caption(
-        result, *window.remark(snapshot),
-        f"Largest value {usable.max():.3g} MPa, smallest {usable.min():.3g} MPa; the scale holds "
-        f"{SCALED:.1%} of the intact particles." if usable.size else "",
-        "" if intact.all() else "Dark grey: failed.")
-    figure, axes = window.figure(title, caption, right=1.25)
+    caption = style.caption(result, *window.remark(snapshot),
+                            *stress_caption(stress[intact], not intact.all()))
+    figure, axes = window.figure(stress_title(result, snapshot, first_failure), caption,
+                                 right=1.25)
     cloud = window.add_squares(axes, snapshot, intact, array=stress[intact], cmap="coolwarm",
-                               clim=(-(limit or 1.0), limit or 1.0))
+                               clim=(-limit, limit))
     window.add_squares(axes, snapshot, ~intact, facecolor=style.FAILED)
+    add_stress_bar(figure, axes, cloud, axes.get_position().height)
+    return figure
+
+
+def stress_limit(stress):
+    """The end of the colours' scale, of the stress of intact particles."""
+    return (float(np.quantile(np.abs(stress), SCALED)) if stress.size else 0.0) or 1.0
+
+
+def stress_title(result, snapshot, first_failure):
+    return (f"{result.title()}\nMaximum principal stress, {describe(result, snapshot)}\n"
+            f"{relate_to_failure(snapshot.step, first_failure)}")
+
+
+def stress_caption(stress, some_failed):
+    return (f"Largest value {stress.max():.3g} MPa, smallest {stress.min():.3g} MPa; the scale "
+            f"holds {SCALED:.1%} of the intact particles." if stress.size else "",
+            "Dark grey: failed." if some_failed else "")
+
+
+def add_stress_bar(figure, axes, cloud, height):
+    """To the right of these axes, as high as a fraction of the figure."""
     box, width = axes.get_position(), figure.get_figwidth()
     bar = figure.colorbar(cloud, extend="both", cax=figure.add_axes(
-        [box.x1 + 0.2 / width, box.y0, 0.18 / width, box.height]))
+        [box.x1 + 0.2 / width, box.y0, 0.18 / width, height]))
     bar.set_label("maximum principal stress (MPa), tension positive")
-    return figure
 
 
 def draw_growth(result):
@@ -144,10 +160,7 @@ class Window:
     """The part of the plane a picture shows, in mm, and the size of a particle."""
 
     def __init__(self, result, snapshots):
-        first = result.snapshot(result.steps()[0])
-        if first.position.size == 0:
-            raise output.OutputError(f"no particle of the first snapshot, step {first.step}, has a "
-                                     "finite position and stress")
+        first = first_snapshot(result)
         self.size = particle_size(first.position, result.case) * 1e3
         self.particles = first.count()
         low, high = first.position.min(axis=0), first.position.max(axis=0)
@@ -191,12 +204,10 @@ class Window:
             axes.tick_params(labelleft=False, labelbottom=False)
 
     def add_squares(self, axes, snapshot, chosen, **options):
-        # Three per cent larger than a particle: else rounding to pixels leaves white specks.
-        corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * (1.03 * self.size / 2)
-        vertices = snapshot.position[chosen][:, None, :] * 1e3 + corners
-        squares = PolyCollection(vertices, edgecolor="none", antialiased=False, **options)
-        axes.add_collection(squares, autolim=False)
-        return squares
+        collection = PolyCollection(squares(snapshot.position[chosen] * 1e3, self.size),
+                                    edgecolor="none", antialiased=False, **options)
+        axes.add_collection(collection, autolim=False)
+        return collection
 
     def remark(self, *snapshots):
         """Says how many particles the picture leaves out and why, where it does."""
@@ -205,15 +216,35 @@ class Window:
                       for snapshot in snapshots)
         lost = max(snapshot.left_out for snapshot in snapshots)
         removed = max(self.particles - snapshot.count() for snapshot in snapshots)
-        lines = []
-        if outside:
-            lines.append(f"{outside:,} particles lie outside the picture.")
-        if lost:
-            lines.append(f"{lost:,} particles are left out: their position or stress is not a "
-                         "finite number.")
-        if removed > 0:
-            lines.append(f"{removed:,} particles left the grid and were taken out.")
-        return lines
+        return remarks(outside, lost, removed)
+
+
+def remarks(outside, lost, removed):
+    lines = []
+    if outside:
+        lines.append(f"{outside:,} particles lie outside the picture.")
+    if lost:
+        lines.append(f"{lost:,} particles are left out: their position or stress is not a finite "
+                     "number.")
+    if removed > 0:
+        lines.append(f"{removed:,} particles left the grid and were taken out.")
+    return lines
+
+
+def squares(position, size):
+    """Corners of squares around (n, 2) positions, (n, 4, 2)."""
+    # Three per cent larger than a particle: else rounding to pixels leaves white specks.
+    corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * (1.03 * size / 2)
+    return position[:, None, :] + corners
+
+
+def first_snapshot(result):
+    """That of step 0, which must have something to draw."""
+    first = result.snapshot(result.steps()[0])
+    if first.position.size == 0:
+        raise output.OutputError(f"no particle of the first snapshot, step {first.step}, has a "
+                                 "finite position and stress")
+    return first
 
 
 def particle_size(position, case):
@@ -225,9 +256,12 @@ def particle_size(position, case):
         others = squared[squared > 0]
         if others.size:
             distances.append(np.sqrt(others.min()))
-    if distances:
-        return float(np.median(distances))
-    try:  # a single particle
+    return float(np.median(distances)) if distances else pitch(case)
+
+
+def pitch(case):
+    """The same, m, of the case's lattice."""
+    try:
         return case["grid"]["cell_size"] / case["body"][0].get("particles_per_cell", 2)
     except (KeyError, IndexError, TypeError):
         raise output.OutputError("case.toml does not give grid.cell_size") from None
