@@ -110,5 +110,9 @@ template StoredEnergy energy_of_lane<2>(Particles<2>&, std::size_t,
                                         const std::vector<kernels::MaterialConstants>&);
 template StoredEnergy stored_energy<2>(Particles<2>&, std::ptrdiff_t, std::ptrdiff_t,
                                        const std::vector<kernels::MaterialConstants>&, Workers&);
+template StoredEnergy energy_of_lane<3>(Particles<3>&, std::size_t,
+                                        const std::vector<kernels::MaterialConstants>&);
+template StoredEnergy stored_energy<3>(Particles<3>&, std::ptrdiff_t, std::ptrdiff_t,
+                                       const std::vector<kernels::MaterialConstants>&, Workers&);
 
 }  // namespace rgimp

@@ -94,5 +94,6 @@ std::size_t Grid<Dim>::memory_bytes() const {
 }
 
 template class Grid<2>;
+template class Grid<3>;
 
 }  // namespace rgimp

@@ -6,18 +6,23 @@ namespace rgimp::tests {
 namespace {
 
 constexpr double kCell = 0.5e-3;
-constexpr std::int64_t kNodesX = 37;
-constexpr std::int64_t kNodesY = 14;
 
+template <int Dim>
+constexpr std::array<std::int64_t, 3> kNodes = {37, 14, 1};
+template <>
+constexpr std::array<std::int64_t, 3> kNodes<3> = {21, 7, 6};
+
+template <int Dim>
 GridExtent extent() {
-  return {Vector(-3e-3, 2e-3, 0.0), Vector(kCell, 0.93 * kCell, kCell), {kNodesX, kNodesY, 1}};
+  return {Vector(-3e-3, 2e-3, 1e-3), Vector(kCell, 0.93 * kCell, 1.04 * kCell), kNodes<Dim>};
 }
 
-/// Where a step of platens on both axes would take the grid, were it that long.
+/// Where a step of platens on all axes would take the grid, were it that long.
+template <int Dim>
 GridExtent moved_extent() {
-  GridExtent moved = extent();
-  moved.origin += Vector(0.02 * kCell, -0.03 * kCell, 0.0);
-  moved.spacing = moved.spacing.cwiseProduct(Vector(0.998, 1.001, 1.0));
+  GridExtent moved = extent<Dim>();
+  moved.origin += Vector(0.02 * kCell, -0.03 * kCell, 0.01 * kCell);
+  moved.spacing = moved.spacing.cwiseProduct(Vector(0.998, 1.001, 0.999));
   return moved;
 }
 
@@ -46,9 +51,12 @@ std::vector<kernels::MaterialConstants> two_materials(const Filling& filling) {
 
 }  // namespace
 
-RandomState::RandomState(unsigned seed, int particles_per_cell, const Filling& filling)
-    : grid(extent(), particles_per_cell, 0.7), materials(two_materials(filling)), random_(seed) {
-  grid.move(1, moved_extent());
+template <int Dim>
+RandomState<Dim>::RandomState(unsigned seed, int particles_per_cell, const Filling& filling)
+    : grid(extent<Dim>(), particles_per_cell, 0.7),
+      materials(two_materials(filling)),
+      random_(seed) {
+  grid.move(1, moved_extent<Dim>());
   place_slots(filling);
   for (std::size_t group = 0; group + 1 < particles.group_begin.size(); ++group) {
     const std::size_t first = particles.group_begin[group] * kernels::kGroupWidth;
@@ -60,20 +68,20 @@ RandomState::RandomState(unsigned seed, int particles_per_cell, const Filling& f
       const auto column = static_cast<std::ptrdiff_t>(
           group % static_cast<std::size_t>(grid.groups_in_row()) * kernels::kGroupWidth +
           index % 8);
-      if (wanted && column >= 1 && column <= kNodesX - 2) {
+      if (wanted && column >= 1 && column <= grid.extent().nodes[0] - 2) {
         fill_lane(index, filling);
       }
     }
   }
 }
 
-void RandomState::place_slots(const Filling& filling) {
+template <int Dim>
+void RandomState<Dim>::place_slots(const Filling& filling) {
   particles.group_begin = {0};
   for (std::ptrdiff_t row = 0; row < grid.rows(); ++row) {
     for (std::ptrdiff_t column = 0; column < grid.groups_in_row(); ++column) {
-      const bool inside = row >= 1 && row <= kNodesY - 2;
       const auto slots = static_cast<std::uint32_t>(
-          inside ? uniform(0.0, static_cast<double>(filling.most_slots) + 0.999) : 0.0);
+          is_inside(row) ? uniform(0.0, static_cast<double>(filling.most_slots) + 0.999) : 0.0);
       particles.group_begin.push_back(particles.group_begin.back() + slots);
     }
   }
@@ -90,14 +98,30 @@ void RandomState::place_slots(const Filling& filling) {
     for (std::size_t i = particles.group_begin[group] * 8; i < particles.group_begin[group + 1] * 8;
          ++i) {
       const Vector node = grid.position(static_cast<std::ptrdiff_t>(group * 8 + i % 8));
-      particles.position[0][i] = node.x();
-      particles.position[1][i] = node.y();
+      for (int a = 0; a < Dim; ++a) {
+        particles.position[a][i] = node[a];
+      }
     }
   }
 }
 
-void RandomState::fill_lane(std::size_t index, const Filling& filling) {
-  for (int a = 0; a < 2; ++a) {
+template <int Dim>
+bool RandomState<Dim>::is_inside(std::ptrdiff_t row) const {
+  const auto& nodes = grid.extent().nodes;
+  const std::ptrdiff_t y = row % nodes[1];
+  const std::ptrdiff_t z = row / nodes[1];
+  return y >= 1 && y <= nodes[1] - 2 && (Dim == 2 || (z >= 1 && z <= nodes[2] - 2));
+}
+
+template <int Dim>
+kernels::RowRange RandomState<Dim>::bin_rows() const {
+  const std::ptrdiff_t first = 1 + (Dim == 2 ? 0 : grid.extent().nodes[1]);
+  return {first, grid.rows() - first};
+}
+
+template <int Dim>
+void RandomState<Dim>::fill_lane(std::size_t index, const Filling& filling) {
+  for (int a = 0; a < Dim; ++a) {
     const double reach = (1.0 - grid.particle_half_size()) * grid.extent().spacing[a];
     particles.position[a][index] += uniform(-reach, reach);
     particles.velocity[a][index] = uniform(-1.0, 1.0);
@@ -105,7 +129,7 @@ void RandomState::fill_lane(std::size_t index, const Filling& filling) {
   for (auto& stress : particles.stress) {
     stress[index] = uniform(-filling.initial_stress, filling.initial_stress);
   }
-  particles.volume[index] = uniform(0.5, 1.5) * 0.25 * kCell * kCell;
+  particles.volume[index] = uniform(0.5, 1.5) * 0.25 * kCell * kCell * kThickness<Dim>;
   particles.mass[index] = 2600.0 * particles.volume[index];
   particles.viscous_energy[index] = uniform(0.0, 1e5) * particles.volume[index];
   const double draw = uniform(0.0, 1.0);
@@ -119,7 +143,8 @@ void RandomState::fill_lane(std::size_t index, const Filling& filling) {
 }
 
 /// Half of the intact ones are on the way to failure.
-void RandomState::set_damage(std::size_t index) {
+template <int Dim>
+void RandomState<Dim>::set_damage(std::size_t index) {
   double& mode = particles.failure_mode[index];
   const double draw = uniform(0.0, 1.0);
   if (mode != kernels::kIntact) {
@@ -131,14 +156,15 @@ void RandomState::set_damage(std::size_t index) {
   }
 }
 
-void RandomState::randomise_nodes() {
-  kernels::GridView<2> view = grid.view();
-  for (std::ptrdiff_t n = 0; n < grid.rows() * grid.row_stride(); ++n) {
+template <int Dim>
+void RandomState<Dim>::randomise_nodes() {
+  kernels::GridView<Dim> view = grid.view();
+  for (std::ptrdiff_t n = 0; n < static_cast<std::ptrdiff_t>(nodes()); ++n) {
     const bool empty = uniform(0.0, 1.0) < 0.1;
-    view.mass[n] = empty ? 0.0 : uniform(1e-6, 6e-4);
-    for (int a = 0; a < 2; ++a) {
+    view.mass[n] = empty ? 0.0 : uniform(1e-6, 6e-4) * kThickness<Dim>;
+    for (int a = 0; a < Dim; ++a) {
       view.momentum[a][n] = empty ? 0.0 : uniform(-1.0, 1.0) * view.mass[n];
-      view.force[a][n] = empty ? 0.0 : uniform(-1e3, 1e3);
+      view.force[a][n] = empty ? 0.0 : uniform(-1e3, 1e3) * kThickness<Dim>;
       view.second_field[a][n] = empty ? 0.0 : uniform(-1.0, 1.0);
     }
     if (uniform(0.0, 1.0) < 0.1) {
@@ -147,8 +173,12 @@ void RandomState::randomise_nodes() {
   }
 }
 
-double RandomState::uniform(double low, double high) {
+template <int Dim>
+double RandomState<Dim>::uniform(double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random_);
 }
+
+template struct RandomState<2>;
+template struct RandomState<3>;
 
 }  // namespace rgimp::tests

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
@@ -14,7 +15,7 @@ using kernels::Isa;
 constexpr double kMass = 2.0;
 constexpr double kBeta = 0.7;
 constexpr double kDt = 0.25;
-constexpr double kGravity[2] = {0.5, -1.5};
+constexpr double kGravity[3] = {0.5, -1.5, 0.25};
 
 /// A component of the node before and after.
 struct Motion {
@@ -31,44 +32,52 @@ Motion expected(int axis, double velocity, double force) {
   return {velocity, force, acceleration, velocity + kDt * acceleration};
 }
 
+template <int Dim>
 struct OneNode {
-  OneNode() : grid({Vector::Zero(), Vector::Constant(1.0), {20, 5, 1}}, 2, kBeta) {}
+  OneNode()
+      : grid({Vector::Zero(), Vector::Constant(1.0), {20, 5, Dim == 2 ? 1 : 4}}, 2, kBeta),
+        row(Dim == 2 ? 2 : 12),
+        node(24 * row + 19) {}  // the last one of a row
 
-  kernels::NodeSums update(Isa isa, const Motion (&motion)[2]) {
-    const kernels::GridView<2> view = grid.view();
+  kernels::NodeSums update(Isa isa, const Motion (&motion)[3]) {
+    const kernels::GridView<Dim> view = grid.view();
     view.mass[node] = kMass;
-    for (int a = 0; a < 2; ++a) {
+    for (int a = 0; a < Dim; ++a) {
       view.momentum[a][node] = kMass * motion[a].velocity;
       view.force[a][node] = motion[a].force;
     }
     std::vector<kernels::NodeSums> sums(static_cast<std::size_t>(grid.rows()));
-    const kernels::NodeUpdate<2> what{
-        .dt = kDt, .least_mass = 1e-9, .body_acceleration = {kGravity[0], kGravity[1]}};
-    kernels::kernels_for<2>(isa).update_nodes(view, what, {0, grid.rows()}, sums.data());
-    return sums[2];
+    kernels::NodeUpdate<Dim> what{.dt = kDt, .least_mass = 1e-9, .body_acceleration = {}};
+    std::copy_n(kGravity, Dim, what.body_acceleration);
+    kernels::kernels_for<Dim>(isa).update_nodes(view, what, {0, grid.rows()}, sums.data());
+    return sums[row];
   }
 
-  Grid<2> grid;
-  std::ptrdiff_t node = 2 * 24 + 19;  // the last one of a row
+  Grid<Dim> grid;
+  std::ptrdiff_t row;
+  std::ptrdiff_t node;
 };
 
 }  // namespace
 
-TEST_CASE("local damping opposes a node's velocity, component by component, and spares rest") {
+TEMPLATE_TEST_CASE_SIG(
+    "local damping opposes a node's velocity, component by component, and spares rest", "",
+    ((int Dim), Dim), 2, 3) {
   for (const Isa isa : kernels::kAllIsas) {
     for (const double vx : {-1.0, 0.0, 2.0}) {
       for (const double fy : {-4.0, 5.0}) {
         if (!kernels::available(isa)) {
           continue;
         }
-        const Motion motion[2] = {expected(0, vx, 3.0), expected(1, -0.5, fy)};
-        OneNode one;
+        const Motion motion[3] = {expected(0, vx, 3.0), expected(1, -0.5, fy),
+                                  expected(2, 0.75, -2.0)};
+        OneNode<Dim> one;
         const kernels::NodeSums sums = one.update(isa, motion);
-        const kernels::GridView<2> view = one.grid.view();
+        const kernels::GridView<Dim> view = one.grid.view();
         double damping_work = 0.0;
         double body_work = 0.0;
         INFO(kernels::name(isa) << ", vx " << vx << ", fy " << fy);
-        for (int a = 0; a < 2; ++a) {
+        for (int a = 0; a < Dim; ++a) {
           const Motion& m = motion[a];
           CHECK(view.force[a][one.node] == Approx(m.acceleration).epsilon(1e-14));
           CHECK(view.momentum[a][one.node] == Approx(m.new_velocity).epsilon(1e-14));
