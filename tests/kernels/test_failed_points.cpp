@@ -73,15 +73,19 @@ std::array<double, 4> failing_at(double pressure) {
   return {-3.0 * pressure - 2.5e6, 2.5e6, 0.0, 0.0};
 }
 
-void require_pressure(const OneParticle& one, double pressure) {
+template <int Dim>
+void require_pressure(const OneParticle<Dim>& one, double pressure) {
   for (int c = 0; c < 3; ++c) {
     REQUIRE(one.stress()[c] == Approx(-pressure).epsilon(1e-11).margin(1e-5));
   }
-  REQUIRE(one.stress()[3] == 0.0);
+  for (std::size_t c = 3; c < one.stress().size(); ++c) {
+    REQUIRE(one.stress()[c] == 0.0);
+  }
 }
 
 /// A leg in ten steps, sheared and turned on the way.
-void travel(OneParticle& one, const Leg& leg, Isa isa) {
+template <int Dim>
+void travel(OneParticle<Dim>& one, const Leg& leg, Isa isa) {
   constexpr double kStep = 1e-8;
   const double rate = leg.strain / (10.0 * kStep);
   const PlaneGradient gradient{.xx = 3.0 * rate, .xy = 4e3, .yx = -1e3, .yy = -2.0 * rate};
@@ -91,7 +95,7 @@ void travel(OneParticle& one, const Leg& leg, Isa isa) {
     // q V = m (c0 L^2 d^2 + c1 L c |d|) while it closes, as if it were whole.
     const double closing = std::max(-rate, 0.0);
     const double speed = std::sqrt((kLambda + 2.0 * kShearModulus) / 2600.0);
-    const double cell = OneParticle::kCell;
+    const double cell = OneParticle<Dim>::kCell;
     REQUIRE(one.viscous_energy() == Approx(one.mass() * (1.5 * cell * cell * closing * closing +
                                                          0.06 * cell * speed * closing))
                                         .epsilon(1e-11));
@@ -100,13 +104,14 @@ void travel(OneParticle& one, const Leg& leg, Isa isa) {
 
 }  // namespace
 
-TEST_CASE("a failed point pressed, unloaded, opened and closed follows its treatment") {
+TEMPLATE_TEST_CASE_SIG("a failed point pressed, unloaded, opened and closed follows its treatment",
+                       "", ((int Dim), Dim), 2, 3) {
   for (const Isa isa : kernels::kAllIsas) {
     if (!kernels::available(isa)) {
       continue;
     }
     for (const Journey& journey : journeys()) {
-      OneParticle one(treated_by(journey.treatment));
+      OneParticle<Dim> one(treated_by(journey.treatment));
       one.set_stress(failing_at(journey.pressure_at_failure));
       one.strain({}, 1e-8, isa);
       INFO(kernels::name(isa) << ", " << journey.name);
@@ -122,12 +127,14 @@ TEST_CASE("a failed point pressed, unloaded, opened and closed follows its treat
   }
 }
 
-TEST_CASE("a point failed in shear is treated like one failed in tension and keeps its mode") {
+TEMPLATE_TEST_CASE_SIG(
+    "a point failed in shear is treated like one failed in tension and keeps its mode", "",
+    ((int Dim), Dim), 2, 3) {
   for (const Isa isa : kernels::kAllIsas) {
     if (!kernels::available(isa)) {
       continue;
     }
-    OneParticle one(treated_by(Treatment::no_tension));
+    OneParticle<Dim> one(treated_by(Treatment::no_tension));
     one.set_stress({0.0, -30e6, -3e6, 0.0});
     REQUIRE(one.strain({}, 1e-8, isa).failed_shear == 1);
     require_pressure(one, 11e6);

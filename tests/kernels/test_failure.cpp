@@ -22,8 +22,9 @@ Material with(const Failure& failure) {
   return material;
 }
 
+template <int Dim>
 double mode_of(const Material& material, const Stress& stress, Isa isa) {
-  OneParticle one(material);
+  OneParticle<Dim> one(material);
   one.set_stress(stress);
   one.strain({}, 1e-8, isa);
   return one.mode();
@@ -33,21 +34,19 @@ double mode_of(const Material& material, const Stress& stress, Isa isa) {
 // part in 1e12 is far inside the 1e-9 within which the root-free bound hands over to the exact
 // test.
 void require_limit(const Material& material, const Stress& at_limit, double mode) {
-  for (const Isa isa : kernels::kAllIsas) {
-    if (!kernels::available(isa)) {
-      continue;
-    }
+  on_each_isa([&](Isa isa) {
     Stress under = at_limit;
     Stress over = at_limit;
     for (int c = 0; c < 4; ++c) {
       under[c] *= 1.0 - 1e-12;
       over[c] *= 1.0 + 1e-12;
     }
-    INFO(kernels::name(isa) << ": " << at_limit[0] << ", " << at_limit[1] << ", " << at_limit[2]
-                            << ", " << at_limit[3]);
-    REQUIRE(mode_of(material, under, isa) == kIntact);
-    REQUIRE(mode_of(material, over, isa) == mode);
-  }
+    INFO(at_limit[0] << ", " << at_limit[1] << ", " << at_limit[2] << ", " << at_limit[3]);
+    REQUIRE(mode_of<2>(material, under, isa) == kIntact);
+    REQUIRE(mode_of<3>(material, under, isa) == kIntact);
+    REQUIRE(mode_of<2>(material, over, isa) == mode);
+    REQUIRE(mode_of<3>(material, over, isa) == mode);
+  });
 }
 
 const double kSin = std::sin(40.0 * std::numbers::pi / 180.0);
@@ -82,7 +81,8 @@ TEST_CASE("Mohr-Coulomb: shear with each pair of principal stresses") {
 TEST_CASE("Mohr-Coulomb: where both are met, tension comes first") {
   for (const Isa isa : kernels::kAllIsas) {
     if (kernels::available(isa)) {
-      REQUIRE(mode_of(with(rock_failure()), {3e6, -40e6, 0.0, 0.0}, isa) == kFailedInTension);
+      REQUIRE(mode_of<2>(with(rock_failure()), {3e6, -40e6, 0.0, 0.0}, isa) == kFailedInTension);
+      REQUIRE(mode_of<3>(with(rock_failure()), {3e6, -40e6, 0.0, 0.0}, isa) == kFailedInTension);
     }
   }
 }
@@ -127,7 +127,8 @@ TEST_CASE("the other criteria of section 3.1") {
 TEST_CASE("a material without failure never fails") {
   for (const Isa isa : kernels::kAllIsas) {
     if (kernels::available(isa)) {
-      REQUIRE(mode_of(rock(), {1e12, -1e12, 0.0, 1e11}, isa) == kIntact);
+      REQUIRE(mode_of<2>(rock(), {1e12, -1e12, 0.0, 1e11}, isa) == kIntact);
+      REQUIRE(mode_of<3>(rock(), {1e12, -1e12, 0.0, 1e11}, isa) == kIntact);
     }
   }
 }
@@ -157,7 +158,8 @@ Stress failing_with_mean(double mean) {
 
 }  // namespace
 
-TEST_CASE("a failed point keeps no deviator, and the pressure its treatment leaves") {
+TEMPLATE_TEST_CASE_SIG("a failed point keeps no deviator, and the pressure its treatment leaves",
+                       "", ((int Dim), Dim), 2, 3) {
   const std::vector<Treated> rows = {
       {Treatment::no_tension, -5e6, -5e6},      {Treatment::no_tension, 0.6e6, 0.0},
       {Treatment::stress_free, -5e6, 0.0},      {Treatment::stress_free, 0.6e6, 0.0},
@@ -171,7 +173,7 @@ TEST_CASE("a failed point keeps no deviator, and the pressure its treatment leav
     for (const Treated& row : rows) {
       INFO(kernels::name(isa) << ", treatment " << static_cast<int>(row.treatment) << ", mean "
                               << row.mean_stress);
-      OneParticle one(with(treated_by(row.treatment)));
+      OneParticle<Dim> one(with(treated_by(row.treatment)));
       one.set_stress(failing_with_mean(row.mean_stress));
       const kernels::ParticleSums sums = one.strain({}, 1e-8, isa);
       REQUIRE(one.mode() == kFailedInTension);
@@ -185,13 +187,15 @@ TEST_CASE("a failed point keeps no deviator, and the pressure its treatment leav
   }
 }
 
-TEST_CASE("the pressure of a failed point goes on with K tr D, the deviator stays zero") {
+TEMPLATE_TEST_CASE_SIG(
+    "the pressure of a failed point goes on with K tr D, the deviator stays zero", "",
+    ((int Dim), Dim), 2, 3) {
   const double bulk = 17e9 / (3.0 * (1.0 - 2.0 * 0.14));
   for (const Isa isa : kernels::kAllIsas) {
     if (!kernels::available(isa)) {
       continue;
     }
-    OneParticle one(with(treated_by(Treatment::no_tension)));
+    OneParticle<Dim> one(with(treated_by(Treatment::no_tension)));
     one.set_stress(failing_with_mean(-5e6));
     one.strain({}, 1e-8, isa);
     one.strain({.xx = -3e3, .xy = 5e3, .yx = 0.0, .yy = -1e3}, 1e-8, isa);
@@ -205,8 +209,9 @@ TEST_CASE("the pressure of a failed point goes on with K tr D, the deviator stay
   }
 }
 
-TEST_CASE("released energy is the strain energy before less that after") {
-  OneParticle one(with(treated_by(Treatment::stress_free)));
+TEMPLATE_TEST_CASE_SIG("released energy is the strain energy before less that after", "",
+                       ((int Dim), Dim), 2, 3) {
+  OneParticle<Dim> one(with(treated_by(Treatment::stress_free)));
   const Stress s = {3e6, -1e6, 0.5e6, 0.7e6};
   one.set_stress(s);
   const double volume = one.volume();
@@ -217,14 +222,15 @@ TEST_CASE("released energy is the strain energy before less that after") {
           Approx(energy).epsilon(1e-12));
 }
 
-TEST_CASE("bulk viscosity acts in compression only, q V = m (c0 L^2 d^2 + c1 L c |d|)") {
+TEMPLATE_TEST_CASE_SIG("bulk viscosity acts in compression only, q V = m (c0 L^2 d^2 + c1 L c |d|)",
+                       "", ((int Dim), Dim), 2, 3) {
   const double speed = std::sqrt(17e9 * 0.86 / (1.14 * 0.72 * 2600.0));
-  const double cell = OneParticle::kCell;
+  const double cell = OneParticle<Dim>::kCell;
   for (const Isa isa : kernels::kAllIsas) {
     if (!kernels::available(isa)) {
       continue;
     }
-    OneParticle one(rock());
+    OneParticle<Dim> one(rock());
     one.strain({.xx = -200.0, .xy = 0.0, .yx = 0.0, .yy = 50.0}, 1e-8, isa);
     const double d = 150.0;
     REQUIRE(
@@ -238,16 +244,18 @@ TEST_CASE("bulk viscosity acts in compression only, q V = m (c0 L^2 d^2 + c1 L c
   }
 }
 
-TEST_CASE("elastic stress: Hooke's law in plane strain and the Jaumann rotation") {
+TEMPLATE_TEST_CASE_SIG("elastic stress: Hooke's law in plane strain and the Jaumann rotation", "",
+                       ((int Dim), Dim), 2, 3) {
   const double lambda = 17e9 * 0.14 / (1.14 * 0.72);
   const double shear = 17e9 / 2.28;
   for (const Isa isa : kernels::kAllIsas) {
     if (!kernels::available(isa)) {
       continue;
     }
-    OneParticle one(rock());
+    OneParticle<Dim> one(rock());
     const Stress s = {1e6, -2e6, 0.3e6, 0.4e6};
     one.set_stress(s);
+    const double volume = one.volume();
     const double dt = 1e-8;
     one.strain({.xx = 100.0, .xy = 40.0, .yx = -20.0, .yy = -30.0}, dt, isa);
     const double turn = 0.5 * dt * 60.0;
@@ -258,9 +266,7 @@ TEST_CASE("elastic stress: Hooke's law in plane strain and the Jaumann rotation"
     for (int c = 0; c < 4; ++c) {
       REQUIRE(one.stress()[c] == Approx(expected[c]).epsilon(1e-12));
     }
-    REQUIRE(
-        one.volume() ==
-        Approx(0.25 * OneParticle::kCell * OneParticle::kCell * (1.0 + 70.0 * dt)).epsilon(1e-14));
+    REQUIRE(one.volume() == Approx(volume * (1.0 + 70.0 * dt)).epsilon(1e-14));
   }
 }
 

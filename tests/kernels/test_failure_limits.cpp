@@ -43,18 +43,21 @@ Material mohr_coulomb_rock() {
   return material;
 }
 
-void require_mode(const Material& material, const Stress& stress, double mode) {
-  for (const Isa isa : kernels::kAllIsas) {
-    if (!kernels::available(isa)) {
-      continue;
-    }
-    INFO(kernels::name(isa) << ": " << stress[0] << ", " << stress[1] << ", " << stress[2] << ", "
-                            << stress[3]);
-    OneParticle one(material);
+template <int Dim>
+void require_mode_in(const Material& material, const Stress& stress, double mode) {
+  on_each_isa([&](Isa isa) {
+    INFO(Dim << " dimensions: " << stress[0] << ", " << stress[1] << ", " << stress[2] << ", "
+             << stress[3]);
+    OneParticle<Dim> one(material);
     one.set_stress(stress);
     one.strain({}, 1e-8, isa);
     REQUIRE(one.mode() == mode);
-  }
+  });
+}
+
+void require_mode(const Material& material, const Stress& stress, double mode) {
+  require_mode_in<2>(material, stress, mode);
+  require_mode_in<3>(material, stress, mode);
 }
 
 double before(double value) {

@@ -30,7 +30,7 @@ Material softening_rock() {
 
 /// eta of a band that is `width` cells wide.
 double ductility(double width) {
-  return 2.0 * kModulus * 1.0 / (kStrength * kStrength * OneParticle::kCell * width);
+  return 2.0 * kModulus * 1.0 / (kStrength * kStrength * OneParticle<2>::kCell * width);
 }
 
 double damage_at(double kappa, double eta) {
@@ -38,6 +38,7 @@ double damage_at(double kappa, double eta) {
 }
 
 /// A particle strained along x in small steps, kappa counting strains of the limit.
+template <int Dim>
 class Pulled {
  public:
   Pulled(const Material& material, Isa isa) : one_(material), isa_(isa) {}
@@ -64,33 +65,24 @@ class Pulled {
             Approx((1.0 - damage) * kappa_ * kStrength * side + spared).margin(1e-8 * kStrength));
   }
 
-  OneParticle& one() { return one_; }
+  OneParticle<Dim>& one() { return one_; }
   double released() const { return released_; }
 
  private:
-  OneParticle one_;
+  OneParticle<Dim> one_;
   Isa isa_;
   double kappa_ = 0.0;
   double released_ = 0.0;
 };
 
-template <typename Test>
-void on_each_isa(Test test) {
-  for (const Isa isa : kernels::kAllIsas) {
-    if (kernels::available(isa)) {
-      INFO(kernels::name(isa));
-      test(isa);
-    }
-  }
-}
-
 }  // namespace
 
-TEST_CASE("tension softens along a line through onset to failure, and dissipates G_f") {
+TEMPLATE_TEST_CASE_SIG("tension softens along a line through onset to failure, and dissipates G_f",
+                       "", ((int Dim), Dim), 2, 3) {
   on_each_isa([](Isa isa) {
     const double eta = ductility(1.0);
-    Pulled pulled(softening_rock(), isa);
-    const double area = pulled.one().volume() / OneParticle::kCell;
+    Pulled<Dim> pulled(softening_rock(), isa);
+    const double area = pulled.one().volume() / OneParticle<2>::kCell;
     pulled.pull_to(0.99);
     REQUIRE(pulled.one().mode() == kernels::kIntact);
     pulled.require_stress(0.0);
@@ -102,15 +94,16 @@ TEST_CASE("tension softens along a line through onset to failure, and dissipates
     pulled.pull_to(1.001 * eta);
     REQUIRE(pulled.one().mode() == kernels::kFailedInTension);
     REQUIRE(pulled.one().damage() == 1.0);
-    REQUIRE(pulled.one().stress() == std::array{0.0, 0.0, 0.0, 0.0});
+    REQUIRE(pulled.one().stress() == typename OneParticle<Dim>::Stress{});
     // The volume grows by the strain, 2e-3 at failure.
     REQUIRE(pulled.released() / area == Approx(1.0).epsilon(2e-3));
   });
 }
 
-TEST_CASE("unloading and reloading follow the secant and release nothing") {
+TEMPLATE_TEST_CASE_SIG("unloading and reloading follow the secant and release nothing", "",
+                       ((int Dim), Dim), 2, 3) {
   on_each_isa([](Isa isa) {
-    Pulled pulled(softening_rock(), isa);
+    Pulled<Dim> pulled(softening_rock(), isa);
     pulled.pull_to(4.0);
     const double damage = damage_at(4.0, ductility(1.0));
     const double released = pulled.released();
@@ -124,9 +117,10 @@ TEST_CASE("unloading and reloading follow the secant and release nothing") {
   });
 }
 
-TEST_CASE("a damaged point that closes carries its full pressure") {
+TEMPLATE_TEST_CASE_SIG("a damaged point that closes carries its full pressure", "",
+                       ((int Dim), Dim), 2, 3) {
   on_each_isa([](Isa isa) {
-    Pulled pulled(softening_rock(), isa);
+    Pulled<Dim> pulled(softening_rock(), isa);
     pulled.pull_to(4.0);
     const double released = pulled.released();
     pulled.pull_to(-3.0);
@@ -136,9 +130,10 @@ TEST_CASE("a damaged point that closes carries its full pressure") {
 }
 
 // Pure shear in the plane pulls along a diagonal: the band is sqrt(2) cells wide.
-TEST_CASE("a band along a cell's diagonal softens sooner") {
+TEMPLATE_TEST_CASE_SIG("a band along a cell's diagonal softens sooner", "", ((int Dim), Dim), 2,
+                       3) {
   on_each_isa([](Isa isa) {
-    OneParticle one(softening_rock());
+    OneParticle<Dim> one(softening_rock());
     const double kappa = 3.0;
     one.set_stress({0.0, 0.0, 0.0, kappa * kStrength});
     one.strain({}, kDt, isa);
@@ -150,9 +145,10 @@ TEST_CASE("a band along a cell's diagonal softens sooner") {
 }
 
 // Mohr's circle is a point: no direction in the plane is the band's.
-TEST_CASE("a band under equal tension on all sides is one cell wide") {
+TEMPLATE_TEST_CASE_SIG("a band under equal tension on all sides is one cell wide", "",
+                       ((int Dim), Dim), 2, 3) {
   on_each_isa([](Isa isa) {
-    OneParticle one(softening_rock());
+    OneParticle<Dim> one(softening_rock());
     const double kappa = 1.5;
     one.set_stress({kappa * kStrength, kappa * kStrength, 0.0, 0.0});
     one.strain({}, kDt, isa);
@@ -163,12 +159,14 @@ TEST_CASE("a band under equal tension on all sides is one cell wide") {
   });
 }
 
-TEST_CASE("shear under pressure softens from Mohr-Coulomb's line and keeps the pressure") {
+TEMPLATE_TEST_CASE_SIG(
+    "shear under pressure softens from Mohr-Coulomb's line and keeps the pressure", "",
+    ((int Dim), Dim), 2, 3) {
   const double angle = 40.0 * std::numbers::pi / 180.0;
   const double limit = 5.95e6 * std::cos(angle);
-  const double eta = 2.0 * kShearModulus * 200.0 / (5.95e6 * 5.95e6 * OneParticle::kCell);
+  const double eta = 2.0 * kShearModulus * 200.0 / (5.95e6 * 5.95e6 * OneParticle<2>::kCell);
   on_each_isa([&](Isa isa) {
-    OneParticle one(softening_rock());
+    OneParticle<Dim> one(softening_rock());
     const double shear = 20e6;
     one.set_stress({-20e6, -20e6, -20e6, shear});
     one.strain({}, kDt, isa);
@@ -182,16 +180,17 @@ TEST_CASE("shear under pressure softens from Mohr-Coulomb's line and keeps the p
   });
 }
 
-TEST_CASE("shear stress softens to failure and dissipates G_II") {
+TEMPLATE_TEST_CASE_SIG("shear stress softens to failure and dissipates G_II", "", ((int Dim), Dim),
+                       2, 3) {
   Material material = rock();
   material.failure = Failure{};
   material.failure->criterion = Criterion::shear_stress;
   material.failure->shear_strength = 4e6;
   material.failure->shear_fracture_energy = 5.0;
-  const double eta = 2.0 * kShearModulus * 5.0 / (4e6 * 4e6 * OneParticle::kCell);
+  const double eta = 2.0 * kShearModulus * 5.0 / (4e6 * 4e6 * OneParticle<2>::kCell);
   on_each_isa([&](Isa isa) {
-    OneParticle one(material);
-    const double area = one.volume() / OneParticle::kCell;
+    OneParticle<Dim> one(material);
+    const double area = one.volume() / OneParticle<2>::kCell;
     const int steps = 2000;
     const double rate = 1.001 * eta * 4e6 / kShearModulus / (steps * kDt);
     double released = 0.0;
@@ -203,11 +202,12 @@ TEST_CASE("shear stress softens to failure and dissipates G_II") {
   });
 }
 
-TEST_CASE("without an energy of its own the other mode fails at once") {
+TEMPLATE_TEST_CASE_SIG("without an energy of its own the other mode fails at once", "",
+                       ((int Dim), Dim), 2, 3) {
   Material material = softening_rock();
   material.failure->shear_fracture_energy = 0.0;
   on_each_isa([&](Isa isa) {
-    OneParticle one(material);
+    OneParticle<Dim> one(material);
     one.set_stress({-20e6, -20e6, -20e6, 20e6});
     one.strain({}, kDt, isa);
     REQUIRE(one.mode() == kernels::kFailedInShear);
@@ -217,24 +217,26 @@ TEST_CASE("without an energy of its own the other mode fails at once") {
 }
 
 // Pure shear pulls along a diagonal, where the band is wider than a cell.
-TEST_CASE("tension without an energy of its own fails at once, along a diagonal too") {
+TEMPLATE_TEST_CASE_SIG("tension without an energy of its own fails at once, along a diagonal too",
+                       "", ((int Dim), Dim), 2, 3) {
   Material material = softening_rock();
   material.failure->fracture_energy = 0.0;
   on_each_isa([&](Isa isa) {
     for (const Stress& stress : {Stress{2.5e6, 0.0, 0.0, 0.0}, Stress{0.0, 0.0, 0.0, 2.5e6}}) {
-      OneParticle one(material);
+      OneParticle<Dim> one(material);
       one.set_stress(stress);
       one.strain({}, kDt, isa);
       REQUIRE(one.mode() == kernels::kFailedInTension);
       REQUIRE(one.damage() == 1.0);
-      REQUIRE(one.stress() == Stress{0.0, 0.0, 0.0, 0.0});
+      REQUIRE(one.stress() == typename OneParticle<Dim>::Stress{});
     }
   });
 }
 
-TEST_CASE("a softening point keeps the mode of its onset") {
+TEMPLATE_TEST_CASE_SIG("a softening point keeps the mode of its onset", "", ((int Dim), Dim), 2,
+                       3) {
   on_each_isa([](Isa isa) {
-    OneParticle one(softening_rock());
+    OneParticle<Dim> one(softening_rock());
     one.set_stress({2.5e6, 0.0, 0.0, 0.0});
     one.strain({}, kDt, isa);
     REQUIRE(one.mode() == kernels::kSofteningInTension);

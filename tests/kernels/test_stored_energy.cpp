@@ -18,7 +18,8 @@ Material softening_rock() {
   return material;
 }
 
-StoredEnergy energy_of(OneParticle& one) {
+template <int Dim>
+StoredEnergy energy_of(OneParticle<Dim>& one) {
   Workers workers(1);
   return stored_energy(one.particles(), one.grid().groups_in_row(), one.grid().rows(),
                        {one.material()}, workers);
@@ -45,8 +46,9 @@ Stress effective(const Stress& s, double damage) {
 
 }  // namespace
 
-TEST_CASE("a particle holds m v^2 / 2 and V sigma : C^-1 : sigma / 2") {
-  OneParticle one(rock());
+TEMPLATE_TEST_CASE_SIG("a particle holds m v^2 / 2 and V sigma : C^-1 : sigma / 2", "",
+                       ((int Dim), Dim), 2, 3) {
+  OneParticle<Dim> one(rock());
   const Stress stress = {3e6, -1e6, 0.5e6, 0.7e6};
   one.set_stress(stress);
   one.particles().velocity[0][one.lane()] = 3.0;
@@ -56,11 +58,12 @@ TEST_CASE("a particle holds m v^2 / 2 and V sigma : C^-1 : sigma / 2") {
   REQUIRE(energy.strain == Approx(one.volume() * half_work(stress, stress)).epsilon(1e-13));
 }
 
-TEST_CASE("a softening particle holds V sigma : C^-1 : s / 2, open or closed") {
+TEMPLATE_TEST_CASE_SIG("a softening particle holds V sigma : C^-1 : s / 2, open or closed", "",
+                       ((int Dim), Dim), 2, 3) {
   for (const Stress& stress : {Stress{3e6, -1e6, 0.5e6, 0.7e6}, Stress{-3e6, 1e6, -2e6, 0.7e6}}) {
     for (const double mode : {kernels::kSofteningInTension, kernels::kSofteningInShear}) {
       for (const double damage : {0.1, 0.6}) {
-        OneParticle one(softening_rock());
+        OneParticle<Dim> one(softening_rock());
         one.set_stress(stress);
         one.particles().failure_mode[one.lane()] = mode;
         one.particles().damage[one.lane()] = damage;
@@ -72,8 +75,9 @@ TEST_CASE("a softening particle holds V sigma : C^-1 : s / 2, open or closed") {
   }
 }
 
-TEST_CASE("a failed particle of a material that softens holds its nominal energy") {
-  OneParticle one(softening_rock());
+TEMPLATE_TEST_CASE_SIG("a failed particle of a material that softens holds its nominal energy", "",
+                       ((int Dim), Dim), 2, 3) {
+  OneParticle<Dim> one(softening_rock());
   const Stress pressed = {-3e6, -3e6, -3e6, 0.0};
   one.set_stress(pressed);
   one.particles().failure_mode[one.lane()] = kernels::kFailedInShear;

@@ -22,11 +22,12 @@ COPIED = ("CMakeLists.txt", "engine/**/*", "kernels/**/*", "tests/**/*", "exampl
 # instruction sets hand out AVX2's table. Two batches a group there, so parts of a group count.
 UNIT = """#include "rgimp/kernels/isa_tables.hpp"
 namespace rgimp::kernels {{
-const KernelTable<2> {table} = kAvx2Kernels2;
+const KernelTable<2> k{isa}Kernels2 = kAvx2Kernels2;
+const KernelTable<3> k{isa}Kernels3 = kAvx2Kernels3;
 }}
 """
-STAND_INS = {"kernels/src/isa_baseline.cpp": UNIT.format(table="kBaselineKernels2"),
-             "kernels/src/isa_avx512.cpp": UNIT.format(table="kAvx512Kernels2")}
+STAND_INS = {"kernels/src/isa_baseline.cpp": UNIT.format(isa="Baseline"),
+             "kernels/src/isa_avx512.cpp": UNIT.format(isa="Avx512")}
 
 
 class BrokenBuild(Exception):
