@@ -1,6 +1,6 @@
 #pragma once
 
-#include "p2g.hpp"
+#include "scatter.hpp"
 #include "stress.hpp"
 
 /// Passes over the particles: gather, update, scatter while a group's particles are in registers
@@ -90,6 +90,9 @@ class Gather {
 
   Nodes nodes_at(const GroupPlace<Dim>& place, int part) const {
     Nodes nodes;
+    if constexpr (Dim == 3) {
+      fetch_ahead(place);
+    }
     if constexpr (What.velocity) {
       load_coefficients(grid_.force, place, part, nodes.acceleration);
     }
@@ -106,7 +109,7 @@ class Gather {
   void round(const Nodes& nodes, const GroupPlace<Dim>& place, Slots slots, int part) {
     const BinOffsets<Dim> offsets = place.offsets(shape_, part);
     const BinOffsets<Dim> offsets_to = place.offsets(shape_to_, part);
-    Increment<Dim> increment[kRound];
+    Increment<Dim> increment[kRound<Dim>];
     for (std::size_t slot = slots.first; slot < slots.last; ++slot) {
       const std::size_t index = slot * kGroupWidth + part * kLanes;
       batch(nodes, index, offsets, offsets_to, increment[slot - slots.first]);
@@ -122,11 +125,15 @@ class Gather {
   Reach reach() const { return move_.reach(); }
 
  private:
+  static constexpr std::size_t kSlotsAhead = 8;
   // USL has no field of its own for strains.
   static constexpr bool kStrainsWithNewVelocity = What.velocity && What.strain;
 
   void batch(const Nodes& nodes, std::size_t index, const BinOffsets<Dim>& offsets,
              const BinOffsets<Dim>& offsets_to, Increment<Dim>& increment) {
+    if constexpr (Dim == 3) {
+      fetch_ahead(index);
+    }
     const Places<Dim> places(view_, index, offsets, shape_);
     const Basis<Dim> basis(places, shape_);
     const Batch dt = where_present(view_, index, dt_);
@@ -145,6 +152,30 @@ class Gather {
         velocity[a] = value_at(nodes.velocity.component[a], basis);
       }
       move_.batch(view_, index, dt, velocity, offsets_to);
+    }
+  }
+
+  void fetch_ahead(const GroupPlace<3>& place) const {
+    if constexpr (What.velocity) {
+      kernels::fetch_ahead<3>({grid_.force[0], grid_.force[1], grid_.force[2]}, place);
+    }
+    if constexpr (What.position) {
+      kernels::fetch_ahead<3>({grid_.momentum[0], grid_.momentum[1], grid_.momentum[2]}, place);
+    }
+    if constexpr (What.strain && !kStrainsWithNewVelocity) {
+      kernels::fetch_ahead<3>({grid_.second_field[0], grid_.second_field[1], grid_.second_field[2]},
+                              place);
+    }
+  }
+
+  /// Places, velocities and masses of the particles a group on: 4 % of USL. Asking for stresses too
+  /// won nothing.
+  void fetch_ahead(std::size_t index) const {
+    const std::size_t ahead = index + kGroupWidth * kSlotsAhead;
+    __builtin_prefetch(view_.mass + ahead);
+    for (int a = 0; a < Dim; ++a) {
+      __builtin_prefetch(view_.position[a] + ahead, 1);
+      __builtin_prefetch(view_.velocity[a] + ahead, 1);
     }
   }
 
@@ -200,7 +231,7 @@ template <int Dim, typename Change, Content... Whats>
   for (int part = 0; part < kParts; ++part) {
     const typename Change::Nodes nodes = change.nodes_at(place, part);
     // In a group of several rounds the terms are overwritten, and found anew.
-    for_each_round(slots, [&](Slots round) {
+    for_each_round<Dim>(slots, [&](Slots round) {
       change.round(nodes, place, round, part);
       scatter.find(place, round, part);
     });
@@ -223,6 +254,26 @@ void pass_row(const ParticleView<Dim>& particles, const GridView<Dim>& grid, std
   }
   if (columns.last < grid.groups_in_row) {
     scatter.end_row(GroupPlace<Dim>(grid, row, columns.last));
+  }
+}
+
+/// Calls visit(row) for the rows of bins: in three dimensions all planes of a row along y before
+/// the next, so that the nodes they share are still in the second cache. Plane by plane they are
+/// not (USL of 2.1 million particles 49.8 ns a particle-step, 48.5 so).
+template <int Dim, typename Visit>
+inline void for_each_row(const GridView<Dim>& grid, RowRange bins, Visit visit) {
+  if constexpr (Dim == 2) {
+    for (std::ptrdiff_t row = bins.first; row < bins.last; ++row) {
+      visit(row);
+    }
+  } else {
+    const std::ptrdiff_t stride = grid.rows_in_plane;
+    for (std::ptrdiff_t first = bins.first; first < bins.last && first < bins.first + stride;
+         ++first) {
+      for (std::ptrdiff_t row = first; row < bins.last; row += stride) {
+        visit(row);
+      }
+    }
   }
 }
 
@@ -256,7 +307,7 @@ void pass(const ParticleView<Dim>& particles, const GridView<Dim>& from, const G
   const ShapeConstants<Dim> shape_to(to);
   const Fields<Dim, Whats...> fields(to);
   Scatter<Dim, Whats...> scatter(particles, shape_to, fields.field);
-  for (std::ptrdiff_t row = bins.first; row < bins.last; ++row) {
+  for_each_row(from, bins, [&](std::ptrdiff_t row) {
     FailureLog<Dim> log(update.step);
     Gather<Dim, What> gather(particles, from, shape, shape_to, update, log);
     pass_row(particles, from, row, gather, scatter);
@@ -266,7 +317,7 @@ void pass(const ParticleView<Dim>& particles, const GridView<Dim>& from, const G
     if constexpr (What.position) {
       update.reach[row] = gather.reach();
     }
-  }
+  });
 }
 
 template <int Dim, Content... Whats>
@@ -275,9 +326,8 @@ void scatter_only(const ParticleView<Dim>& particles, const GridView<Dim>& to, R
   const Fields<Dim, Whats...> fields(to);
   Scatter<Dim, Whats...> scatter(particles, shape, fields.field);
   LeaveAlone<Dim> nothing;
-  for (std::ptrdiff_t row = bins.first; row < bins.last; ++row) {
-    pass_row(particles, to, row, nothing, scatter);
-  }
+  for_each_row(to, bins,
+               [&](std::ptrdiff_t row) { pass_row(particles, to, row, nothing, scatter); });
 }
 
 }  // namespace

@@ -73,6 +73,23 @@ struct GroupPlace {
   std::ptrdiff_t row_offset[kNeighbourRows<Dim>];
 };
 
+/// Groups of bins that nodes are asked for ahead, in three dimensions, where a group's twelve rows
+/// of new nodes were not there in time (USL of 2.1 million particles 46.0 ns a particle-step
+/// without, 43.3 one group ahead, 41.5 two). In the plane asking made no difference.
+constexpr std::ptrdiff_t kGroupsAhead = 2;
+
+/// Asks for the nodes of a later group in the rows above along y; those below were met before.
+template <int Count>
+inline void fetch_ahead(const double* const (&field)[Count], const GroupPlace<3>& place) {
+  for (int row = 2; row < kNeighbourRows<3>; row += 3) {
+    const std::ptrdiff_t node =
+        place.first_node + place.row_offset[row] + kGroupsAhead * kGroupWidth;
+    for (const double* const values : field) {
+      __builtin_prefetch(values + node);
+    }
+  }
+}
+
 struct Slots {
   std::size_t first;
   std::size_t last;
@@ -80,13 +97,15 @@ struct Slots {
   std::size_t count() const { return last - first; }
 };
 
-/// Slots that a group works on at a time, so that what is found of them stays in the first cache.
-constexpr std::size_t kRound = 16;
+/// Slots that a group works on at a time, so that what is found of them stays in the first cache;
+/// in three dimensions in the second, for groups of more are dear there.
+template <int Dim>
+constexpr std::size_t kRound = Dim == 2 ? 16 : 64;
 
-template <typename Visit>
+template <int Dim, typename Visit>
 inline void for_each_round(Slots slots, Visit visit) {
-  for (std::size_t first = slots.first; first < slots.last; first += kRound) {
-    visit(Slots{first, slots.last - first < kRound ? slots.last : first + kRound});
+  for (std::size_t first = slots.first; first < slots.last; first += kRound<Dim>) {
+    visit(Slots{first, slots.last - first < kRound<Dim> ? slots.last : first + kRound<Dim>});
   }
 }
 
