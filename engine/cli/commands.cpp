@@ -199,7 +199,16 @@ void check(const CaseArguments& arguments) {
 }
 
 void show_cracks(const CracksArguments& arguments) {
-  const Cracks cracks = trace_cracks(arguments.directory, arguments.step);
+  const Results results = read_results(arguments.directory, arguments.step);
+  if (results.settings.dimension == 3) {
+    const CrackClusters cracks = trace_clusters(results.settings, results.particles);
+    fmt::print("{}", format_clusters(cracks));
+    if (arguments.json) {
+      write_clusters(*arguments.json, cracks);
+    }
+    return;
+  }
+  const Cracks cracks = trace_cracks(results.settings, results.particles);
   fmt::print("{}", format_cracks(cracks));
   if (arguments.json) {
     write_cracks(*arguments.json, cracks);

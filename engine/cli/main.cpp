@@ -101,7 +101,9 @@ void add_check(CLI::App& app, CaseArguments& arguments) {
 
 void add_cracks(CLI::App& app, CracksArguments& arguments) {
   CLI::App* command = app.add_subcommand(
-      "cracks", "Measure the cracks of an output directory: wings, angles, order of events");
+      "cracks",
+      "Measure the cracks of an output directory: wings, angles, order of events; in three "
+      "dimensions connected cracks, their extents and areas");
   command->add_option("DIR", arguments.directory, "Written by rgimp run")
       ->required()
       ->type_name("DIR");
@@ -112,7 +114,7 @@ void add_cracks(CLI::App& app, CracksArguments& arguments) {
       ->check(at_least(0));
   command
       ->add_option("--json", arguments.json,
-                   "Write everything, each wing's front over the steps too")
+                   "Write everything, each crack's front over the steps too")
       ->type_name("FILE");
   command->footer(
       "A tip of the n-th slot is the n-th pair of letters: A along its angle, B opposite.\n"

@@ -1,62 +1,16 @@
 #include "crack_growth.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <functional>
 #include <map>
 #include <queue>
 #include <tuple>
 
+#include "neighbours.hpp"
+
 namespace rgimp {
 
 namespace {
-
-/// Failed particles are connected where they touch: one pitch apart along every axis, corners
-/// included, with room for the round-off of their places.
-constexpr double kReach = 1.5;  // pitches, per axis
-
-/// Finds the particles that touch one another.
-class Neighbours {
- public:
-  Neighbours(const std::vector<FailedParticle>& failed, double reach)
-      : failed_(failed), reach_(reach) {
-    for (std::size_t p = 0; p < failed.size(); ++p) {
-      box_[key(failed[p].position)].push_back(p);
-    }
-  }
-
-  template <typename Visit>
-  void for_each(std::size_t particle, Visit visit) const {
-    const Vector& position = failed_[particle].position;
-    const Key center = key(position);
-    for (int n = 0; n < 27; ++n) {
-      const auto found =
-          box_.find({center[0] + n % 3 - 1, center[1] + n / 3 % 3 - 1, center[2] + n / 9 - 1});
-      if (found == box_.end()) {
-        continue;
-      }
-      for (const std::size_t other : found->second) {
-        const Vector apart = (failed_[other].position - position).cwiseAbs();
-        if (other != particle && apart.maxCoeff() <= reach_) {
-          visit(other);
-        }
-      }
-    }
-  }
-
- private:
-  using Key = std::array<std::int64_t, 3>;
-
-  Key key(const Vector& position) const {
-    const auto box = [&](double x) { return static_cast<std::int64_t>(std::floor(x / reach_)); };
-    return {box(position.x()), box(position.y()), box(position.z())};
-  }
-
-  const std::vector<FailedParticle>& failed_;
-  double reach_;  // m
-  std::map<Key, std::vector<std::size_t>> box_;
-};
 
 /// How a particle hangs together with a flaw.
 struct Connection {
@@ -80,7 +34,7 @@ class Growth {
   Growth(const std::vector<FailedParticle>& failed, const CrackScale& scale)
       : failed_(failed),
         two_cells_(2.0 * scale.cell_size),
-        neighbours_(failed, kReach * scale.pitch),
+        neighbours_(failed, scale.pitch),
         connections_(failed.size()) {}
 
   void grow() {

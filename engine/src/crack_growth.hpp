@@ -6,18 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "failed_particles.hpp"
 #include "rgimp/cracks.hpp"
 
 /// Failed particles to cracks.
 namespace rgimp {
-
-struct FailedParticle {
-  std::int64_t step = 0;
-  Vector position = Vector::Zero();   ///< m, at step 0
-  double distance = 0.0;              ///< m, from the nearest flaw
-  std::optional<std::size_t> flaw;    ///< within one cell of it; none: farther
-  std::optional<std::size_t> source;  ///< the nearest CrackSource of that flaw
-};
 
 struct CrackScale {
   double pitch = 0.0;      ///< m, the finest of the particles' lattices

@@ -11,7 +11,7 @@
 
 #include "crack_geometry.hpp"
 #include "crack_growth.hpp"
-#include "geometry.hpp"
+#include "failed_particles.hpp"
 #include "platen_geometry.hpp"
 #include "rgimp/error.hpp"
 
@@ -19,64 +19,9 @@ namespace rgimp {
 
 namespace {
 
-[[noreturn]] void refuse_particles(const std::string& reason) {
-  throw CaseError("the particles are not those of the case: " + reason);
-}
-
-/// In the order in which they failed, ties by id, at their places of step 0.
-std::vector<FailedParticle> failed_particles(const Case& settings, const ParticleTable& particles) {
-  const std::vector<ParticleSeed> seeds = seed_particles(settings);
-  const bool some_may_miss = settings.grid.on_exit == OnExit::remove;
-  if (particles.size() > seeds.size() || (particles.size() < seeds.size() && !some_may_miss)) {
-    refuse_particles(fmt::format("{} of {}", particles.size(), seeds.size()));
-  }
-  std::vector<std::size_t> rows;
-  for (std::size_t row = 0; row < particles.size(); ++row) {
-    if (particles.id[row] >= seeds.size()) {
-      refuse_particles(fmt::format("id {} of {}", particles.id[row], seeds.size()));
-    }
-    if (particles.failed[row] != FailureMode::intact) {
-      rows.push_back(row);
-    }
-  }
-  const auto earlier = [&](std::size_t a, std::size_t b) {
-    return std::pair(particles.failure_step[a], particles.id[a]) <
-           std::pair(particles.failure_step[b], particles.id[b]);
-  };
-  std::sort(rows.begin(), rows.end(), earlier);
-  std::vector<FailedParticle> failed;
-  for (const std::size_t row : rows) {
-    FailedParticle particle;
-    particle.step = particles.failure_step[row];
-    particle.position = seeds[particles.id[row]].position;
-    failed.push_back(particle);
-  }
-  return failed;
-}
-
-double finest_pitch(const Case& settings) {
-  double pitch = settings.grid.cell_size;
-  for (const Body& body : settings.bodies) {
-    pitch = std::min(pitch, settings.grid.cell_size / body.particles_per_cell);
-  }
-  return pitch;
-}
-
-/// The flaw and the place of it that a particle within one cell of a flaw lies at.
-void assign_sources(const Case& settings, const std::vector<CrackSource>& sources,
-                    std::vector<FailedParticle>& failed) {
+/// The place of its flaw that a particle within one cell of a flaw lies at.
+void assign_sources(const std::vector<CrackSource>& sources, std::vector<FailedParticle>& failed) {
   for (FailedParticle& particle : failed) {
-    particle.distance = std::numeric_limits<double>::infinity();
-    for (std::size_t f = 0; f < settings.flaws.size(); ++f) {
-      const double distance = distance_to(settings.flaws[f], particle.position);
-      if (distance < particle.distance) {
-        particle.distance = distance;
-        particle.flaw = f;
-      }
-    }
-    if (particle.distance > settings.grid.cell_size) {
-      particle.flaw.reset();
-    }
     double nearest_source = std::numeric_limits<double>::infinity();
     for (std::size_t s = 0; s < sources.size(); ++s) {
       const double distance = (sources[s].position - particle.position).norm();
@@ -140,9 +85,14 @@ std::vector<Wing> collect_wings(const std::vector<CrackSource>& sources,
 }  // namespace
 
 Cracks trace_cracks(const Case& settings, const ParticleTable& particles) {
+  if (settings.dimension != 2) {
+    throw CaseError(
+        "wings are measured in two dimensions; trace_clusters measures the cracks of "
+        "a three-dimensional case");
+  }
   const std::vector<CrackSource> sources = crack_sources(settings);
   std::vector<FailedParticle> failed = failed_particles(settings, particles);
-  assign_sources(settings, sources, failed);
+  assign_sources(sources, failed);
   const CrackGrowth growth = grow_cracks(failed, {finest_pitch(settings), settings.grid.cell_size});
   const std::vector<std::string> names = crack_names(sources, growth.cracks);
   const auto name_of = [&](const CrackPlace& place) {

@@ -1,18 +1,10 @@
 #include <fmt/format.h>
 
-#include <charconv>
-#include <nlohmann/json.hpp>
-#include <system_error>
-
 #include "atomic_file.hpp"
 #include "case_names.hpp"
-#include "geometry.hpp"
-#include "input_file.hpp"
-#include "rgimp/case_file.hpp"
+#include "json.hpp"
 #include "rgimp/cracks.hpp"
-#include "rgimp/error.hpp"
-#include "snapshot.hpp"
-#include "snapshot_reader.hpp"
+#include "rgimp/results.hpp"
 
 namespace rgimp {
 
@@ -20,56 +12,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-struct SnapshotFile {
-  std::int64_t step = -1;
-  fs::path path;
-};
-
-std::int64_t step_of(const fs::path& snapshot) {
-  const std::string name = snapshot.stem().string();
-  const std::size_t digits = name.find('_') + 1;
-  std::int64_t step = -1;
-  std::from_chars(name.data() + digits, name.data() + name.size(), step);
-  return step;
-}
-
-SnapshotFile last_snapshot(const fs::path& directory) {
-  SnapshotFile last;
-  try {
-    for (const fs::directory_entry& entry : fs::directory_iterator(directory / "snapshots")) {
-      if (is_snapshot_name(entry.path().filename().string()) && step_of(entry.path()) > last.step) {
-        last = {step_of(entry.path()), entry.path()};
-      }
-    }
-  } catch (const fs::filesystem_error& error) {
-    throw FileError(fmt::format("cannot read the snapshots in '{}': {}", directory.string(),
-                                error.code().message()));
-  }
-  if (last.path.empty()) {
-    throw FileError(fmt::format("there are no snapshots in '{}'", directory.string()));
-  }
-  return last;
-}
-
-/// What failed after `step` is intact again.
-void forget_after(std::int64_t step, ParticleTable& particles) {
-  for (std::size_t row = 0; row < particles.size(); ++row) {
-    if (particles.failure_step[row] > step) {
-      particles.failed[row] = FailureMode::intact;
-      particles.failure_step[row] = -1;
-    }
-  }
-}
-
-Json to_json(const Vector& position) {
-  return {position.x(), position.y(), position.z()};
-}
-
 Json to_json(const CrackFront& front) {
-  return {
-      {"step", front.step}, {"position_m", to_json(front.position)}, {"length_m", front.length}};
+  return {{"step", front.step},
+          {"position_m", vector_json(front.position)},
+          {"length_m", front.length}};
 }
 
 Json to_json(const std::optional<double>& number) {
@@ -94,7 +40,7 @@ Json to_json(const Wing& wing, const Cracks& cracks) {
   }
   return {{"name", wing.name},
           {"flaw", wing.flaw},
-          {"tip_m", to_json(wing.tip)},
+          {"tip_m", vector_json(wing.tip)},
           {"failed", wing.particles.size()},
           {"angles", angles_of(wing, cracks)},
           {"front", fronts}};
@@ -106,31 +52,14 @@ Json to_json(const CrackEvent& event) {
           {"wing", event.wing},
           {"other_wing", event.other_wing ? Json(*event.other_wing) : Json()},
           {"side", event.side ? Json(name_of(*event.side)) : Json()},
-          {"position_m", to_json(event.position)}};
+          {"position_m", vector_json(event.position)}};
 }
 
 }  // namespace
 
 Cracks trace_cracks(const fs::path& directory, std::optional<std::int64_t> until) {
-  std::error_code ignored;
-  if (!fs::exists(fs::symlink_status(directory / "case.toml", ignored))) {
-    throw CaseError(fmt::format("'{}' is no output directory of `rgimp run`: it has no case.toml",
-                                directory.string()));
-  }
-  require_regular_file(directory / "case.toml");
-  const Case settings = read_case(directory / "case.toml");
-  const SnapshotFile last = last_snapshot(directory);
-  require_regular_file(last.path);
-  ParticleTable particles =
-      read_snapshot(last.path, seed_particles(settings).size(), settings.grid.on_exit);
-  if (until) {
-    if (*until > last.step) {
-      throw CaseError(fmt::format("step {} lies past the last snapshot, of step {}, in '{}'",
-                                  *until, last.step, directory.string()));
-    }
-    forget_after(*until, particles);
-  }
-  return trace_cracks(settings, particles);
+  const Results results = read_results(directory, until);
+  return trace_cracks(results.settings, results.particles);
 }
 
 std::string describe(const CrackEvent& event) {
