@@ -8,6 +8,7 @@
 #include "case_names.hpp"
 #include "nearest_name.hpp"
 #include "rgimp/case_file.hpp"
+#include "shapes.hpp"
 #include "time_step.hpp"
 
 namespace rgimp {
@@ -36,12 +37,27 @@ void ValueChecker::not_negative(std::string_view key, double value) const {
   }
 }
 
-void ValueChecker::planar(std::string_view key, const Vector& value) const {
+void ValueChecker::vector(std::string_view key, const Vector& value) const {
   for (int axis = 0; axis < 3; ++axis) {
     finite(fmt::format("{}[{}]", key, axis), value[axis]);
   }
-  if (value.z() != 0.0) {
+  if (case_.dimension == 2 && value.z() != 0.0) {
     refuse(key, fmt::format("is {} along z; expected 0 in two dimensions", value.z()));
+  }
+}
+
+void ValueChecker::direction(std::string_view key, const Vector& value) const {
+  vector(key, value);
+  // Lengths whose square is no number have no direction either.
+  if (!std::isnormal(value.squaredNorm())) {
+    refuse(key, fmt::format("is of length {:.4g}; expected a direction", value.stableNorm()));
+  }
+}
+
+void ValueChecker::edges(std::string_view key, const Vector& value) const {
+  vector(key, value);
+  for (int axis = 0; axis < case_.dimension; ++axis) {
+    positive(fmt::format("{}[{}]", key, axis), value[axis]);
   }
 }
 
@@ -61,15 +77,29 @@ constexpr int kMostBandsPerTask = 64;
 constexpr int kLeastBandHeight = 2;
 constexpr int kMostBandHeight = 64;
 
+/// For cases built in code: the reader has no such words.
+template <typename Enum>
+void check_word(const Case& settings, const std::string& key, Enum value) {
+  if (!exists_in(settings.dimension, value)) {
+    refuse(settings.source, key,
+           fmt::format("\"{}\" is not one of {}", name_of(value),
+                       fmt::join(all_names<Enum>(settings.dimension), ", ")));
+  }
+}
+
 void check_body_size(const ValueChecker& check, const std::string& path, const Body& body) {
   const std::string key = path + ".size";
-  if (body.shape == BodyShape::disk) {
-    check.positive(key, body.size.x());
-    return;
+  switch (body.shape) {
+    case BodyShape::box:
+      return check.edges(key, body.size);
+    case BodyShape::disk:
+    case BodyShape::sphere:
+      return check.positive(key, body.size.x());
+    case BodyShape::cylinder:
+      check.positive(key + "[0]", body.size.x());
+      check.positive(key + "[1]", body.size.y());
+      return check.direction(path + ".axis", body.axis);
   }
-  check.planar(key, body.size);
-  check.positive(key + "[0]", body.size.x());
-  check.positive(key + "[1]", body.size.y());
 }
 
 void check_material_name(const Case& settings, const std::string& path, const Body& body) {
@@ -95,7 +125,8 @@ void check_bodies(const Case& settings) {
   for (std::size_t i = 0; i < settings.bodies.size(); ++i) {
     const Body& body = settings.bodies[i];
     const std::string path = fmt::format("body[{}]", i);
-    check.planar(path + ".center", body.center);
+    check_word(settings, path + ".shape", body.shape);
+    check.vector(path + ".center", body.center);
     check_body_size(check, path, body);
     check_material_name(settings, path, body);
     const std::string key = path + ".particles_per_cell";
@@ -109,8 +140,54 @@ void check_bodies(const Case& settings) {
           key, fmt::format("is {}; expected {}, as in body[0]: all bodies share one",
                            body.particles_per_cell, settings.bodies.front().particles_per_cell));
     }
-    check.planar(path + ".velocity", body.velocity);
+    check.vector(path + ".velocity", body.velocity);
   }
+}
+
+void check_length(const ValueChecker& check, const std::string& path, const Flaw& flaw) {
+  if (flaw.length < flaw.width) {
+    check.refuse(path + ".length",
+                 fmt::format("is {}; expected at least the width, {}", flaw.length, flaw.width));
+  }
+}
+
+/// Where a slot's length and width point to in three dimensions.
+void check_slot_directions(const ValueChecker& check, const std::string& path, const Flaw& slot) {
+  constexpr double kRightAngle = 1e-6;  // most that the cosine may be off
+  if (slot.direction.has_value() != slot.normal.has_value()) {
+    const auto [given, missing] =
+        slot.direction ? std::pair(".direction", "normal") : std::pair(".normal", "direction");
+    check.refuse(path + given, fmt::format("given without {}; expected both or none", missing));
+  }
+  if (slot.direction) {
+    check.direction(path + ".direction", *slot.direction);
+    check.direction(path + ".normal", *slot.normal);
+    const double cosine = slot.direction->normalized().dot(slot.normal->normalized());
+    if (std::abs(cosine) > kRightAngle) {
+      check.refuse(path + ".normal",
+                   fmt::format("is {:.4g} degrees from direction; expected a right angle",
+                               std::acos(cosine) / kRadiansPerDegree));
+    }
+  }
+  if (slot.depth) {
+    check.positive(path + ".depth", *slot.depth);
+  }
+}
+
+void check_slot(const ValueChecker& check, const std::string& path, const Flaw& slot) {
+  check.positive(path + ".width", slot.width);
+  check.finite(path + ".angle", slot.angle);
+  check_length(check, path, slot);
+  check_slot_directions(check, path, slot);
+}
+
+void check_penny(const ValueChecker& check, const std::string& path, const Flaw& penny) {
+  check.positive(path + ".width", penny.width);
+  check_length(check, path, penny);
+  if (!penny.normal) {
+    check.refuse(path + ".normal", "missing; expected a direction");
+  }
+  check.direction(path + ".normal", *penny.normal);
 }
 
 void check_flaws(const Case& settings) {
@@ -118,21 +195,17 @@ void check_flaws(const Case& settings) {
   for (std::size_t i = 0; i < settings.flaws.size(); ++i) {
     const Flaw& flaw = settings.flaws[i];
     const std::string path = fmt::format("flaw[{}]", i);
-    check.planar(path + ".center", flaw.center);
+    check_word(settings, path + ".shape", flaw.shape);
+    check.vector(path + ".center", flaw.center);
     if (flaw.shape == FlawShape::box) {
-      check.planar(path + ".size", flaw.size);
-      check.positive(path + ".size[0]", flaw.size.x());
-      check.positive(path + ".size[1]", flaw.size.y());
+      check.edges(path + ".size", flaw.size);
       continue;
     }
     check.positive(path + ".length", flaw.length);
     if (flaw.shape == FlawShape::slot) {
-      check.positive(path + ".width", flaw.width);
-      check.finite(path + ".angle", flaw.angle);
-      if (flaw.length < flaw.width) {
-        check.refuse(path + ".length", fmt::format("is {}; expected at least the width, {}",
-                                                   flaw.length, flaw.width));
-      }
+      check_slot(check, path, flaw);
+    } else if (flaw.shape == FlawShape::penny) {
+      check_penny(check, path, flaw);
     }
   }
 }
@@ -142,6 +215,7 @@ void check_platens(const Case& settings) {
   for (std::size_t i = 0; i < settings.platens.size(); ++i) {
     const Platen& platen = settings.platens[i];
     const std::string path = fmt::format("platen[{}]", i);
+    check_word(settings, path + ".side", platen.side);
     for (std::size_t other = 0; other < i; ++other) {
       if (settings.platens[other].side == platen.side) {
         check.refuse(path + ".side", fmt::format("\"{}\" is taken by platen[{}]; expected a side "
@@ -160,8 +234,8 @@ void check_platens(const Case& settings) {
 void check_grid_values(const Case& settings) {
   const ValueChecker check(settings);
   check.positive("grid.cell_size", settings.grid.cell_size);
-  check.planar("grid.min", settings.grid.min.value_or(Vector::Zero()));
-  check.planar("grid.max", settings.grid.max.value_or(Vector::Zero()));
+  check.vector("grid.min", settings.grid.min.value_or(Vector::Zero()));
+  check.vector("grid.max", settings.grid.max.value_or(Vector::Zero()));
 }
 
 void check_forces(const Case& settings) {
@@ -173,7 +247,7 @@ void check_forces(const Case& settings) {
   }
   check.not_negative("viscosity.quadratic", settings.quadratic_viscosity);
   check.not_negative("viscosity.linear", settings.linear_viscosity);
-  check.planar("body_force.acceleration", settings.body_acceleration);
+  check.vector("body_force.acceleration", settings.body_acceleration);
 }
 
 void check_in_range(const Case& settings, const char* key, int value, int least, int most) {
@@ -214,12 +288,8 @@ std::vector<std::string> warn_of_output(const Case& settings) {
 }  // namespace
 
 void check_dimension(const Case& settings) {
-  if (settings.dimension == 3) {
-    refuse(settings.source, "dimension",
-           "is 3; three dimensions are not available yet; expected 2");
-  }
-  if (settings.dimension != 2) {
-    refuse(settings.source, "dimension", fmt::format("is {}; expected 2", settings.dimension));
+  if (settings.dimension != 2 && settings.dimension != 3) {
+    refuse(settings.source, "dimension", fmt::format("is {}; expected 2 or 3", settings.dimension));
   }
 }
 

@@ -29,7 +29,11 @@ class ValueChecker {
   void not_negative(std::string_view key, double value) const;
   void finite(std::string_view key, double value) const;
   /// Finite, and zero along z in two dimensions.
-  void planar(std::string_view key, const Vector& value) const;
+  void vector(std::string_view key, const Vector& value) const;
+  /// Such a vector that is not zero.
+  void direction(std::string_view key, const Vector& value) const;
+  /// Above 0 along every axis.
+  void edges(std::string_view key, const Vector& value) const;
   void at_least_one(std::string_view key, std::int64_t value) const;
   [[noreturn]] void refuse(std::string_view key, std::string_view what) const;
 

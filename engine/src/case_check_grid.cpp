@@ -27,16 +27,23 @@ double machine_memory() {
 
 double count_nodes(const Case& settings) {
   const Box box = grid_box(settings);
-  const Vector cells = (box.max - box.min) / settings.grid.cell_size;
-  return (std::abs(cells.x()) + 1.0) * (std::abs(cells.y()) + 1.0);
+  double nodes = 1.0;
+  for (int axis = 0; axis < settings.dimension; ++axis) {
+    nodes *= std::abs(box.max[axis] - box.min[axis]) / settings.grid.cell_size + 1.0;
+  }
+  return nodes;
 }
 
 double count_lattice_points(const Case& settings) {
   double points = 0.0;
   for (const Body& body : settings.bodies) {
     const Box box = bounds(body);
-    const Vector pitches = (box.max - box.min) / settings.grid.cell_size * body.particles_per_cell;
-    points += pitches.x() * pitches.y();
+    double of_body = 1.0;
+    for (int axis = 0; axis < settings.dimension; ++axis) {
+      of_body *=
+          (box.max[axis] - box.min[axis]) / settings.grid.cell_size * body.particles_per_cell;
+    }
+    points += of_body;
   }
   return points;
 }
@@ -57,12 +64,12 @@ void check_distance(const Case& settings) {
 }
 
 void check_margin(const Case& settings, const GridExtent& extent) {
-  constexpr std::array<std::string_view, 2> kBelow{"left of", "below"};
-  constexpr std::array<std::string_view, 2> kAbove{"right of", "above"};
+  constexpr std::array<std::string_view, 3> kBelow{"left of", "below", "behind"};
+  constexpr std::array<std::string_view, 3> kAbove{"right of", "above", "in front of"};
   const Box bodies = bounds(settings);
   const ValueChecker check(settings);
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    const auto i = static_cast<Eigen::Index>(axis);
+  for (int i = 0; i < settings.dimension; ++i) {
+    const auto axis = static_cast<std::size_t>(i);
     const double cell = extent.spacing[i];
     const double last = extent.origin[i] + cell * static_cast<double>(extent.nodes[axis] - 1);
     const double below = (bodies.min[i] - extent.origin[i]) / cell;
@@ -81,6 +88,8 @@ void check_margin(const Case& settings, const GridExtent& extent) {
 }
 
 void check_on_grid_line(const Case& settings, const GridExtent& extent, std::size_t index) {
+  constexpr std::array<std::string_view, 3> kAxis{"x", "y", "z"};
+  constexpr std::array<std::string_view, 3> kSize{"width", "height", "depth"};
   const PlatenContact contact(settings.platens[index], bounds(settings));
   const int axis = contact.side.axis;
   const double cells = (contact.end - extent.origin[axis]) / extent.spacing[axis];
@@ -95,8 +104,8 @@ void check_on_grid_line(const Case& settings, const GridExtent& extent, std::siz
   refuse(settings.source, fmt::format("platen[{}].side", index),
          fmt::format("the bodies' {} end at {} = {:.6g} m is not on a grid line; expected a {} of "
                      "{:.6g} or {:.6g} m",
-                     name_of(settings.platens[index].side), axis == 1 ? "y" : "x", contact.end,
-                     axis == 1 ? "height" : "width", std::min(one, other), std::max(one, other)));
+                     name_of(settings.platens[index].side), kAxis[axis], contact.end, kSize[axis],
+                     std::min(one, other), std::max(one, other)));
 }
 
 /// A contact narrower than a cell may lie between two nodes and press on nothing.

@@ -37,13 +37,28 @@ void read_grid(const TomlReader& reader, GridSettings& grid) {
 
 Body read_body(const TomlReader& reader) {
   Body body;
-  reader.allow_only(Keys{"shape", "center", "size", "material", "particles_per_cell", "velocity"});
+  reader.allow_only(
+      Keys{"shape", "center", "size", "axis", "material", "particles_per_cell", "velocity"});
   reader.require("shape", body.shape);
   reader.require("center", body.center);
-  if (body.shape == BodyShape::disk) {
-    reader.require("size", body.size.x());
-  } else {
-    reader.require("size", body.size);
+  switch (body.shape) {
+    case BodyShape::box:
+      reader.require("size", body.size);
+      break;
+    case BodyShape::disk:
+    case BodyShape::sphere:
+      reader.require("size", body.size.x());
+      break;
+    case BodyShape::cylinder: {
+      TomlReader::Pair diameter_and_height{};
+      reader.require("size", diameter_and_height);
+      body.size = {diameter_and_height[0], diameter_and_height[1], 0.0};
+      reader.accept("axis", body.axis);
+      break;
+    }
+  }
+  if (body.shape != BodyShape::cylinder && reader.has("axis")) {
+    reader.refuse("axis", fmt::format("not read by shape \"{}\"", name_of(body.shape)));
   }
   reader.require("material", body.material);
   reader.accept("particles_per_cell", body.particles_per_cell);
@@ -51,28 +66,44 @@ Body read_body(const TomlReader& reader) {
   return body;
 }
 
+void read_slot(const TomlReader& reader, Flaw& slot) {
+  reader.require("length", slot.length);
+  reader.require("width", slot.width);
+  reader.accept("angle", slot.angle);
+  reader.accept("direction", slot.direction);
+  reader.accept("normal", slot.normal);
+  reader.accept("depth", slot.depth);
+  reader.accept("ends", slot.ends);
+  if (slot.direction && reader.has("angle")) {
+    reader.refuse("direction", "given besides angle; expected one of them");
+  }
+}
+
 Flaw read_flaw(const TomlReader& reader) {
   Flaw flaw;
-  const Keys dimensions{"length", "width", "angle", "ends", "size"};
+  const Keys dimensions{"length", "width", "angle", "direction", "normal", "depth", "ends", "size"};
   Keys known{"shape", "center"};
   known.insert(known.end(), dimensions.begin(), dimensions.end());
   reader.allow_only(known);
   reader.require("shape", flaw.shape);
-  allow_for_choice(reader, dimensions, dimensions_of(flaw.shape),
+  allow_for_choice(reader, dimensions, dimensions_of(flaw.shape, reader.dimension()),
                    fmt::format("shape \"{}\"", name_of(flaw.shape)));
   reader.require("center", flaw.center);
   switch (flaw.shape) {
     case FlawShape::slot:
-      reader.require("length", flaw.length);
-      reader.require("width", flaw.width);
-      reader.accept("angle", flaw.angle);
-      reader.accept("ends", flaw.ends);
+      read_slot(reader, flaw);
       break;
     case FlawShape::circle:
+    case FlawShape::sphere:
       reader.require("length", flaw.length);
       break;
     case FlawShape::box:
       reader.require("size", flaw.size);
+      break;
+    case FlawShape::penny:
+      reader.require("length", flaw.length);
+      reader.require("width", flaw.width);
+      reader.require("normal", flaw.normal.emplace());
       break;
   }
   return flaw;
@@ -205,15 +236,16 @@ void read_tables(const TomlReader& root, Case& settings) {
 Case parse_case(const std::string& text, const std::filesystem::path& path,
                 std::span<const std::string> overrides) {
   const TomlDocument document = parse_document(text, path, overrides);
-  const TomlReader root(document.root, "", document.source);
-  root.allow_only(Keys{"title", "dimension", "grid", "body", "flaw", "material", "platen", "time",
-                       "damping", "viscosity", "body_force", "output", "numerics", "tuning"});
   Case settings;
   settings.source = document.source;
-  root.accept("title", settings.title);
-  root.accept("dimension", settings.dimension);
+  const TomlReader file(document.root, "", document.source, settings.dimension);
+  file.allow_only(Keys{"title", "dimension", "grid", "body", "flaw", "material", "platen", "time",
+                       "damping", "viscosity", "body_force", "output", "numerics", "tuning"});
+  file.accept("title", settings.title);
+  file.accept("dimension", settings.dimension);
   // Before any vector is read, for its length follows from it.
   check_dimension(settings);
+  const TomlReader root(document.root, "", document.source, settings.dimension);
   read_grid(root.table("grid"), settings.grid);
   read_tables(root, settings);
   read_time(root.table("time"), settings.time);

@@ -8,10 +8,13 @@ namespace {
 constexpr std::array kOnExits{Named<OnExit>{OnExit::stop, "stop"},
                               Named<OnExit>{OnExit::remove, "remove"}};
 constexpr std::array kBodyShapes{Named<BodyShape>{BodyShape::box, "box"},
-                                 Named<BodyShape>{BodyShape::disk, "disk"}};
-constexpr std::array kFlawShapes{Named<FlawShape>{FlawShape::slot, "slot"},
-                                 Named<FlawShape>{FlawShape::circle, "circle"},
-                                 Named<FlawShape>{FlawShape::box, "box"}};
+                                 Named<BodyShape>{BodyShape::disk, "disk"},
+                                 Named<BodyShape>{BodyShape::cylinder, "cylinder"},
+                                 Named<BodyShape>{BodyShape::sphere, "sphere"}};
+constexpr std::array kFlawShapes{
+    Named<FlawShape>{FlawShape::slot, "slot"}, Named<FlawShape>{FlawShape::circle, "circle"},
+    Named<FlawShape>{FlawShape::box, "box"}, Named<FlawShape>{FlawShape::sphere, "sphere"},
+    Named<FlawShape>{FlawShape::penny, "penny"}};
 constexpr std::array kSlotEnds{Named<SlotEnds>{SlotEnds::square, "square"},
                                Named<SlotEnds>{SlotEnds::round, "round"}};
 constexpr std::array kCriteria{
@@ -24,8 +27,9 @@ constexpr std::array kCriteria{
 constexpr std::array kTreatments{Named<Treatment>{Treatment::no_tension, "no-tension"},
                                  Named<Treatment>{Treatment::stress_free, "stress-free"},
                                  Named<Treatment>{Treatment::pressure_window, "pressure-window"}};
-constexpr std::array kSides{Named<Side>{Side::top, "top"}, Named<Side>{Side::bottom, "bottom"},
-                            Named<Side>{Side::left, "left"}, Named<Side>{Side::right, "right"}};
+constexpr std::array kSides{Named<Side>{Side::top, "top"},     Named<Side>{Side::bottom, "bottom"},
+                            Named<Side>{Side::left, "left"},   Named<Side>{Side::right, "right"},
+                            Named<Side>{Side::front, "front"}, Named<Side>{Side::back, "back"}};
 constexpr std::array kLaterals{Named<Lateral>{Lateral::slip, "slip"},
                                Named<Lateral>{Lateral::stick, "stick"}};
 constexpr std::array kIntegrators{Named<Integrator>{Integrator::musl, "musl"},
@@ -55,6 +59,9 @@ constexpr std::array kPressureWindow{
     FailureKey{"pressure_max", &Failure::pressure_max, "Pa"}};
 
 constexpr std::array<std::string_view, 4> kSlotKeys{"length", "width", "angle", "ends"};
+constexpr std::array<std::string_view, 7> kSolidSlotKeys{"length", "width", "angle", "direction",
+                                                         "normal", "depth", "ends"};
+constexpr std::array<std::string_view, 3> kPennyKeys{"length", "width", "normal"};
 constexpr std::array<std::string_view, 1> kCircleKeys{"length"};
 constexpr std::array<std::string_view, 1> kBoxKeys{"size"};
 
@@ -86,6 +93,37 @@ std::span<const Named<Lateral>> names_of(Lateral) {
 }
 std::span<const Named<Integrator>> names_of(Integrator) {
   return kIntegrators;
+}
+
+bool exists_in(int dimension, BodyShape shape) {
+  switch (shape) {
+    case BodyShape::box:
+      return true;
+    case BodyShape::disk:
+      return dimension == 2;
+    case BodyShape::cylinder:
+    case BodyShape::sphere:
+      return dimension == 3;
+  }
+  return false;
+}
+
+bool exists_in(int dimension, FlawShape shape) {
+  switch (shape) {
+    case FlawShape::slot:
+    case FlawShape::box:
+      return true;
+    case FlawShape::circle:
+      return dimension == 2;
+    case FlawShape::sphere:
+    case FlawShape::penny:
+      return dimension == 3;
+  }
+  return false;
+}
+
+bool exists_in(int dimension, Side side) {
+  return dimension == 3 || (side != Side::front && side != Side::back);
 }
 
 std::span<const FailureKey> strengths_of(Criterion criterion) {
@@ -139,14 +177,17 @@ std::vector<std::string_view> keys_of(std::span<const FailureKey> entries) {
   return keys;
 }
 
-std::span<const std::string_view> dimensions_of(FlawShape shape) {
+std::span<const std::string_view> dimensions_of(FlawShape shape, int dimension) {
   switch (shape) {
     case FlawShape::slot:
-      return kSlotKeys;
+      return dimension == 3 ? std::span<const std::string_view>(kSolidSlotKeys) : kSlotKeys;
     case FlawShape::circle:
+    case FlawShape::sphere:
       return kCircleKeys;
     case FlawShape::box:
       return kBoxKeys;
+    case FlawShape::penny:
+      return kPennyKeys;
   }
   return {};
 }

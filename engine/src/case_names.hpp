@@ -35,11 +35,23 @@ std::string_view name_of(Enum value) {
   return {};
 }
 
+/// Some shapes and sides are of two or of three dimensions only.
+bool exists_in(int dimension, BodyShape shape);
+bool exists_in(int dimension, FlawShape shape);
+bool exists_in(int dimension, Side side);
 template <typename Enum>
-std::vector<std::string_view> all_names() {
+bool exists_in(int, Enum) {
+  return true;
+}
+
+/// The words that a case of this dimension may use.
+template <typename Enum>
+std::vector<std::string_view> all_names(int dimension) {
   std::vector<std::string_view> names;
   for (const Named<Enum>& entry : names_of(Enum{})) {
-    names.push_back(entry.name);
+    if (exists_in(dimension, entry.value)) {
+      names.push_back(entry.name);
+    }
   }
   return names;
 }
@@ -61,6 +73,6 @@ std::span<const FailureKey> limits_of(Treatment treatment);
 std::vector<std::string_view> keys_of(std::span<const FailureKey> entries);
 
 /// The keys that describe a flaw besides `shape` and `center`.
-std::span<const std::string_view> dimensions_of(FlawShape shape);
+std::span<const std::string_view> dimensions_of(FlawShape shape, int dimension);
 
 }  // namespace rgimp

@@ -52,8 +52,12 @@ std::string to_text(std::int64_t value) {
 std::string to_text(const std::string& value) {
   return toml_string(value);
 }
-std::string to_text(const Vector& value) {
-  return fmt::format("[{}, {}]", to_text(value.x()), to_text(value.y()));
+std::string to_text(const std::vector<double>& values) {
+  std::vector<std::string> texts;
+  for (const double value : values) {
+    texts.push_back(to_text(value));
+  }
+  return fmt::format("[{}]", fmt::join(texts, ", "));
 }
 std::string to_text(const std::vector<std::int64_t>& values) {
   return fmt::format("[{}]", fmt::join(values, ", "));
@@ -64,18 +68,26 @@ requires std::is_enum_v<Enum> std::string to_text(Enum value) {
   return fmt::format("\"{}\"", name_of(value));
 }
 
-template <typename Enum>
-std::string choices() {
-  return fmt::format("{}", fmt::join(all_names<Enum>(), " | "));
-}
-
 class CaseWriter {
  public:
+  explicit CaseWriter(int dimension) : dimension_(dimension) {}
+
+  int dimension() const { return dimension_; }
+
+  template <typename Enum>
+  std::string choices() const {
+    return fmt::format("{}", fmt::join(all_names<Enum>(dimension_), " | "));
+  }
+
   void table(std::string_view header) { fmt::format_to(out(), "\n{}\n", header); }
 
   template <typename Value>
   void line(std::string_view key, const Value& value, std::string_view comment) {
     fmt::format_to(out(), "{:<35} # {}\n", fmt::format("{} = {}", key, to_text(value)), comment);
+  }
+  void line(std::string_view key, const Vector& value, std::string_view comment) {
+    const std::vector<double> components(value.data(), value.data() + dimension_);
+    line(key, components, comment);
   }
 
   /// A key left out is shown as a comment, so that the reader learns of it.
@@ -95,62 +107,88 @@ class CaseWriter {
  private:
   std::back_insert_iterator<std::string> out() { return std::back_inserter(text_); }
 
+  int dimension_;
   std::string text_;
 };
 
 void write_grid(CaseWriter& writer, const GridSettings& grid) {
   writer.table("[grid]");
-  writer.line("cell_size", grid.cell_size, "m, edge of a square cell");
+  writer.line("cell_size", grid.cell_size, "m, edge of a cell");
   writer.line("min", grid.min, "m, lower corner", "five cells beyond the bodies");
   writer.line("max", grid.max, "m, upper corner", "five cells beyond the bodies");
   writer.line("on_exit", grid.on_exit,
-              fmt::format("{}, for a particle that leaves the grid", choices<OnExit>()));
+              fmt::format("{}, for a particle that leaves the grid", writer.choices<OnExit>()));
 }
 
 void write_body(CaseWriter& writer, const Body& body) {
   writer.table("[[body]]");
-  writer.line("shape", body.shape, choices<BodyShape>());
+  writer.line("shape", body.shape, writer.choices<BodyShape>());
   writer.line("center", body.center, "m");
-  if (body.shape == BodyShape::disk) {
-    writer.line("size", body.size.x(), "m, diameter");
-  } else {
-    writer.line("size", body.size, "m, edges");
+  switch (body.shape) {
+    case BodyShape::box:
+      writer.line("size", body.size, "m, edges");
+      break;
+    case BodyShape::disk:
+    case BodyShape::sphere:
+      writer.line("size", body.size.x(), "m, diameter");
+      break;
+    case BodyShape::cylinder:
+      writer.line("size", std::vector{body.size.x(), body.size.y()}, "m, diameter and height");
+      writer.line("axis", body.axis, "direction, of any length");
+      break;
   }
   writer.line("material", body.material, "a table below [material]");
   writer.line("particles_per_cell", body.particles_per_cell, "per axis, 2 to 4");
   writer.line("velocity", body.velocity, "m/s, initial");
 }
 
+void write_slot(CaseWriter& writer, const Flaw& slot) {
+  writer.line("length", slot.length, "m, tip to tip");
+  writer.line("width", slot.width, "m, between the faces");
+  if (!slot.direction) {
+    writer.line("angle", slot.angle, "degrees from +x, counterclockwise");
+  }
+  if (writer.dimension() == 3) {
+    writer.line("direction", slot.direction, "along the length", "by the angle");
+    writer.line("normal", slot.normal, "across the width", "by the angle");
+    writer.line("depth", slot.depth, "m, at right angles to both", "all through");
+  }
+  writer.line("ends", slot.ends, writer.choices<SlotEnds>());
+}
+
 void write_flaw(CaseWriter& writer, const Flaw& flaw) {
   writer.table("[[flaw]]");
-  writer.line("shape", flaw.shape, choices<FlawShape>());
+  writer.line("shape", flaw.shape, writer.choices<FlawShape>());
   writer.line("center", flaw.center, "m");
   switch (flaw.shape) {
     case FlawShape::slot:
-      writer.line("length", flaw.length, "m, tip to tip");
-      writer.line("width", flaw.width, "m");
-      writer.line("angle", flaw.angle, "degrees from +x, counterclockwise");
-      writer.line("ends", flaw.ends, choices<SlotEnds>());
+      write_slot(writer, flaw);
       break;
     case FlawShape::circle:
+    case FlawShape::sphere:
       writer.line("length", flaw.length, "m, diameter");
       break;
     case FlawShape::box:
       writer.line("size", flaw.size, "m, edges");
+      break;
+    case FlawShape::penny:
+      writer.line("length", flaw.length, "m, diameter");
+      writer.line("width", flaw.width, "m, between the faces");
+      writer.line("normal", flaw.normal, "across the width", "not given");
       break;
   }
 }
 
 void write_failure(CaseWriter& writer, const std::string& header, const Failure& failure) {
   writer.table(header);
-  writer.line("criterion", failure.criterion, choices<Criterion>());
+  writer.line("criterion", failure.criterion, writer.choices<Criterion>());
   for (const FailureKey& entry : strengths_of(failure.criterion)) {
     writer.line(entry.key, failure.*entry.member, entry.unit);
   }
   for (const FailureKey& entry : fracture_energies_of(failure.criterion)) {
     writer.line(entry.key, failure.*entry.member, entry.unit);
   }
-  writer.line("treatment", failure.treatment, choices<Treatment>());
+  writer.line("treatment", failure.treatment, writer.choices<Treatment>());
   for (const FailureKey& entry : limits_of(failure.treatment)) {
     writer.line(entry.key, failure.*entry.member, entry.unit);
   }
@@ -169,10 +207,10 @@ void write_material(CaseWriter& writer, const std::string& name, const Material&
 
 void write_platen(CaseWriter& writer, const Platen& platen) {
   writer.table("[[platen]]");
-  writer.line("side", platen.side, choices<Side>());
+  writer.line("side", platen.side, writer.choices<Side>());
   writer.line("speed", platen.speed, "m/s, towards the specimen; 0 holds it");
   writer.line("ramp", platen.ramp, "s, from rest to the speed");
-  writer.line("lateral", platen.lateral, choices<Lateral>());
+  writer.line("lateral", platen.lateral, writer.choices<Lateral>());
   writer.line("half_width", platen.half_width, "m, of the contact about the bodies' centre",
               "the whole side");
 }
@@ -182,7 +220,7 @@ void write_time(CaseWriter& writer, const TimeSettings& time) {
   writer.line("steps", time.steps, "1", "duration is given");
   writer.line("duration", time.duration, "s", "steps are given");
   writer.line("step_factor", time.step_factor, "1, of the time a wave takes through a cell");
-  writer.line("integrator", time.integrator, choices<Integrator>());
+  writer.line("integrator", time.integrator, writer.choices<Integrator>());
 }
 
 void write_forces(CaseWriter& writer, const Case& settings) {
@@ -206,9 +244,10 @@ void write_output(CaseWriter& writer, const OutputSettings& output) {
 }  // namespace
 
 std::string write_case(const Case& settings) {
-  CaseWriter writer;
+  CaseWriter writer(settings.dimension);
   writer.line("title", settings.title, "free text");
-  writer.line("dimension", settings.dimension, "plane strain, unit thickness");
+  writer.line("dimension", settings.dimension,
+              settings.dimension == 3 ? "a solid" : "plane strain, unit thickness");
   write_grid(writer, settings.grid);
   for (const Body& body : settings.bodies) {
     write_body(writer, body);

@@ -111,6 +111,8 @@ double distance_to(const Flaw& flaw, const Vector& point) {
     case FlawShape::slot:
       return distance_to_slot(flaw, offset);
     case FlawShape::circle:
+    case FlawShape::sphere:
+    case FlawShape::penny:
       return offset.norm() - 0.5 * flaw.length;
     case FlawShape::box:
       return distance_to_box(offset.cwiseAbs(), 0.5 * flaw.size.x(), 0.5 * flaw.size.y());

@@ -19,7 +19,7 @@ Box bounds(const Body& body);
 /// Of all bodies together.
 Box bounds(const Case& settings);
 
-/// Where the grid lies: node (i, j) is at origin + (i, j) * spacing, axis by axis.
+/// Where the grid lies: node (i, j, k) is at origin + (i, j, k) * spacing, axis by axis.
 struct GridExtent {
   Vector origin = Vector::Zero();       ///< m
   Vector spacing = Vector::Zero();      ///< m, edges of a cell
@@ -38,7 +38,8 @@ struct ParticleSeed {
 };
 
 /// Particles on a lattice centred in the cells that start at each body's lower corner, those
-/// inside a flaw left out. Body by body, rows of rising x within rising y; ids are indices.
+/// inside a flaw left out. Body by body, rows of rising x within rising y within rising z; ids are
+/// indices.
 ///
 /// All are whole. Fitting volume and centre of those along a face to the rock nearest them was
 /// tried: 9 to 11 % of the compliance of example 1's flaw, two cells wide, were missing instead of

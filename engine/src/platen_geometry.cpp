@@ -15,6 +15,10 @@ PlatenAxis axis_of(Side side) {
       return {1, 1.0};
     case Side::top:
       return {1, -1.0};
+    case Side::back:
+      return {2, 1.0};
+    case Side::front:
+      return {2, -1.0};
   }
   return {1, -1.0};
 }
@@ -31,7 +35,7 @@ std::optional<int> load_axis(const Case& settings) {
 
 PlatenContact::PlatenContact(const Platen& platen, const Box& specimen)
     : side(axis_of(platen.side)),
-      across(1 - side.axis),
+      across(side.axis == 0 ? 1 : 0),
       end(side.towards < 0.0 ? specimen.max[side.axis] : specimen.min[side.axis]),
       opposite(side.towards < 0.0 ? specimen.min[side.axis] : specimen.max[side.axis]),
       center(0.5 * (specimen.min[across] + specimen.max[across])),

@@ -39,6 +39,9 @@ kernels::Isa choose_isa() {
 
 Case checked(Case settings) {
   check_case(settings);
+  if (settings.dimension == 3) {
+    throw CaseError("dimension: is 3; three dimensions cannot be run yet");
+  }
   return settings;
 }
 

@@ -7,8 +7,6 @@
 namespace rgimp {
 namespace {
 
-constexpr std::size_t kDimension = 2;
-
 std::string_view type_name(const toml::node& node) {
   switch (node.type()) {
     case toml::node_type::table:
@@ -30,8 +28,9 @@ std::string_view type_name(const toml::node& node) {
 
 }  // namespace
 
-TomlReader::TomlReader(const toml::table& table, std::string path, const CaseSource& source)
-    : table_(table), path_(std::move(path)), source_(source) {}
+TomlReader::TomlReader(const toml::table& table, std::string path, const CaseSource& source,
+                       int dimension)
+    : table_(table), path_(std::move(path)), source_(source), dimension_(dimension) {}
 
 void TomlReader::allow_only(std::span<const std::string_view> known) const {
   const toml::key* first = nullptr;
@@ -68,7 +67,7 @@ TomlReader TomlReader::table(std::string_view key) const {
   if (!found.is_table()) {
     refuse_type(found, path_of(key), "a table");
   }
-  return {*found.as_table(), path_of(key), source_};
+  return {*found.as_table(), path_of(key), source_, dimension_};
 }
 
 std::optional<TomlReader> TomlReader::table_if_any(std::string_view key) const {
@@ -90,7 +89,7 @@ std::vector<TomlReader> TomlReader::tables(std::string_view key) const {
     if (!array[i].is_table()) {
       refuse_type(array[i], path, "a table");
     }
-    readers.emplace_back(*array[i].as_table(), path, source_);
+    readers.emplace_back(*array[i].as_table(), path, source_, dimension_);
   }
   return readers;
 }
@@ -153,17 +152,26 @@ void TomlReader::convert(const toml::node& from, const std::string& path, std::s
 }
 
 void TomlReader::convert(const toml::node& from, const std::string& path, Vector& to) const {
+  to = Vector::Zero();
+  convert_numbers(from, path, {to.data(), static_cast<std::size_t>(dimension_)});
+}
+
+void TomlReader::convert(const toml::node& from, const std::string& path, Pair& to) const {
+  convert_numbers(from, path, to);
+}
+
+void TomlReader::convert_numbers(const toml::node& from, const std::string& path,
+                                 std::span<double> to) const {
   if (!from.is_array()) {
-    refuse_type(from, path, expected(to));
+    refuse_type(from, path, expected_numbers(to.size()));
   }
   const toml::array& array = *from.as_array();
-  if (array.size() != kDimension) {
+  if (array.size() != to.size()) {
     rgimp::refuse(source_, path,
-                  fmt::format("has {} components; expected {}", array.size(), kDimension));
+                  fmt::format("has {} components; expected {}", array.size(), to.size()));
   }
-  to = Vector::Zero();
-  for (std::size_t i = 0; i < kDimension; ++i) {
-    convert(array[i], fmt::format("{}[{}]", path, i), to[static_cast<Eigen::Index>(i)]);
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    convert(array[i], fmt::format("{}[{}]", path, i), to[i]);
   }
 }
 

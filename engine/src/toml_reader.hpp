@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -20,12 +21,17 @@ namespace rgimp {
 /// does not fit is refused with the place of the key.
 class TomlReader {
  public:
+  /// Two numbers in the file whatever the dimension.
+  using Pair = std::array<double, 2>;
+
   /// `path` is the table's own key path, empty for the file; both references must outlive this.
-  TomlReader(const toml::table& table, std::string path, const CaseSource& source);
+  /// Vectors have `dimension` components in the file.
+  TomlReader(const toml::table& table, std::string path, const CaseSource& source, int dimension);
 
   /// Refuses the first key, in order of the file, that is not among `known`.
   void allow_only(std::span<const std::string_view> known) const;
 
+  int dimension() const { return dimension_; }
   bool has(std::string_view key) const { return table_.contains(key); }
   std::vector<std::string> keys() const;
   std::string path_of(std::string_view key) const;
@@ -61,25 +67,31 @@ class TomlReader {
   [[noreturn]] void refuse_type(const toml::node& found, const std::string& path,
                                 std::string_view what_is_expected) const;
 
+  static std::string expected_numbers(std::size_t count) {
+    return fmt::format("an array of {} real numbers", count);
+  }
   static std::string_view expected(double) { return "a real number"; }
   static std::string_view expected(int) { return "an integer"; }
   static std::string_view expected(std::int64_t) { return "an integer"; }
   static std::string_view expected(const std::string&) { return "a string"; }
-  static std::string_view expected(const Vector&) { return "an array of 2 real numbers"; }
+  std::string expected(const Vector&) const {
+    return expected_numbers(static_cast<std::size_t>(dimension_));
+  }
+  static std::string expected(const Pair& pair) { return expected_numbers(pair.size()); }
   static std::string_view expected(const std::vector<std::int64_t>&) {
     return "an array of integers";
   }
   template <typename Enum>
-  requires std::is_enum_v<Enum>
-  static std::string expected(Enum) {
-    return fmt::format("one of {}", fmt::join(all_names<Enum>(), ", "));
-  }
+  requires std::is_enum_v<Enum> std::string expected(Enum)
+  const { return fmt::format("one of {}", fmt::join(all_names<Enum>(dimension_), ", ")); }
 
   void convert(const toml::node& from, const std::string& path, double& to) const;
   void convert(const toml::node& from, const std::string& path, int& to) const;
   void convert(const toml::node& from, const std::string& path, std::int64_t& to) const;
   void convert(const toml::node& from, const std::string& path, std::string& to) const;
   void convert(const toml::node& from, const std::string& path, Vector& to) const;
+  void convert(const toml::node& from, const std::string& path, Pair& to) const;
+  void convert_numbers(const toml::node& from, const std::string& path, std::span<double> to) const;
   void convert(const toml::node& from, const std::string& path,
                std::vector<std::int64_t>& to) const;
   template <typename Enum>
@@ -88,12 +100,12 @@ class TomlReader {
     std::string word;
     convert(from, path, word);
     for (const Named<Enum>& entry : names_of(to)) {
-      if (entry.name == word) {
+      if (entry.name == word && exists_in(dimension_, entry.value)) {
         to = entry.value;
         return;
       }
     }
-    refuse_word(path, word, all_names<Enum>());
+    refuse_word(path, word, all_names<Enum>(dimension_));
   }
   [[noreturn]] void refuse_word(const std::string& path, const std::string& word,
                                 std::span<const std::string_view> names) const;
@@ -101,6 +113,7 @@ class TomlReader {
   const toml::table& table_;
   std::string path_;
   const CaseSource& source_;
+  int dimension_;
 };
 
 }  // namespace rgimp

@@ -55,8 +55,7 @@ TEST_CASE("empty values, wrong lengths, words and keys given twice") {
       {"density = 2600.0", "\"\" = 1",
        "17: material.rock.: unknown key; the keys here are density, youngs_modulus, poisson_ratio, "
        "failure"},
-      {"dimension = 2", "dimension = 0b11",
-       "2: dimension: is 3; three dimensions are not available yet; expected 2"},
+      {"dimension = 2", "dimension = 0b11", "7: body[0].center: has 2 components; expected 3"},
       {"dimension = 2", "dimension = 2_",
        "2: Error while parsing key-value pair: expected a comment or whitespace, saw '_'"},
       {"0.5e-3", ".5e-3", "4: Error while parsing floating-point: expected decimal digit, saw '.'"},

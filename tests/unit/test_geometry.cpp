@@ -79,7 +79,7 @@ TEST_CASE("round-off in the sizes changes no count") {
       settings.bodies[0].particles_per_cell = 3;
       settings.bodies[0].size = {cells * cell, cell, 0.0};
       settings.bodies[0].center = {17.3 * cell, 0.1 * cell, 0.0};
-      const rgimp::Lattice lattice(settings.bodies[0], cell);
+      const rgimp::Lattice lattice(settings, settings.bodies[0]);
       REQUIRE(lattice.columns() == 3 * cells);
       REQUIRE(lattice.rows() == 3);
     }

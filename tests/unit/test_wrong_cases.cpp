@@ -98,9 +98,8 @@ TEST_CASE("a shape reads its own keys and no others") {
 
 TEST_CASE("values out of range are refused") {
   check_rows({
-      {"dimension = 2", "dimension = 3",
-       "2: dimension: is 3; three dimensions are not available yet; expected 2"},
-      {"dimension = 2", "dimension = 4", "2: dimension: is 4; expected 2"},
+      {"dimension = 2", "dimension = 3", "7: body[0].center: has 2 components; expected 3"},
+      {"dimension = 2", "dimension = 4", "2: dimension: is 4; expected 2 or 3"},
       {"0.5e-3", "-0.5e-3", "4: grid.cell_size: is -0.0005; expected a number above 0"},
       {"[20e-3, 40e-3]", "[20e-3, 0]", "8: body[0].size[1]: is 0; expected a number above 0"},
       {"width = 1.5e-3", "width = 7e-3",

@@ -12,7 +12,7 @@
 
 /// A case: everything one simulation is made of, as plain values in SI units (m, kg, s, Pa).
 /// Vectors always have three components; in two dimensions the third is zero.
-/// y is up: top is +y, bottom -y, right +x, left -x. Tension is positive.
+/// y is up: top is +y, bottom -y, right +x, left -x, front +z, back -z. Tension is positive.
 namespace rgimp {
 
 using Vector = Eigen::Vector3d;
@@ -23,35 +23,43 @@ enum class OnExit { stop, remove };
 /// Background grid. Grid lines pass through the bodies' lower bounding corner, or through
 /// `min` where it is given.
 struct GridSettings {
-  double cell_size = 0.0;     ///< m, edge of a square cell
+  double cell_size = 0.0;     ///< m, edge of a square or cubic cell
   std::optional<Vector> min;  ///< m, lower corner; default: the bodies and five cells more
   std::optional<Vector> max;  ///< m, upper corner, rounded up to whole cells; default likewise
   OnExit on_exit = OnExit::stop;
 };
 
-enum class BodyShape { box, disk };
+/// Disks are of two dimensions; cylinders and spheres of three.
+enum class BodyShape { box, disk, cylinder, sphere };
 
 struct Body {
   BodyShape shape = BodyShape::box;
-  Vector center = Vector::Zero();    ///< m
-  Vector size = Vector::Zero();      ///< m; box: edges; disk: size.x() is the diameter
+  Vector center = Vector::Zero();  ///< m
+  /// m; box: edges; disk, sphere: size.x() is the diameter; cylinder: size.y() its height besides
+  Vector size = Vector::Zero();
+  Vector axis = Vector::UnitY();     ///< cylinder only: its direction, of any length
   std::string material;              ///< a key of Case::materials
   int particles_per_cell = 2;        ///< per axis, 2 to 4, the same for all bodies
   Vector velocity = Vector::Zero();  ///< m/s, initial
 };
 
-enum class FlawShape { slot, circle, box };
+/// Circles are of two dimensions, spheres and pennies (flat round cracks) of three.
+enum class FlawShape { slot, circle, box, sphere, penny };
 enum class SlotEnds { square, round };
 
 /// A hole: particles whose centre lies inside are left out of every body.
 struct Flaw {
   FlawShape shape = FlawShape::slot;
   Vector center = Vector::Zero();    ///< m
-  double length = 0.0;               ///< m, slot: tip to tip; circle: the diameter
-  double width = 0.0;                ///< m, slot only
+  double length = 0.0;               ///< m, slot: tip to tip; circle, sphere, penny: the diameter
+  double width = 0.0;                ///< m, slot and penny: between the faces
   double angle = 0.0;                ///< degrees from +x, counterclockwise; slot only
   SlotEnds ends = SlotEnds::square;  ///< slot only
   Vector size = Vector::Zero();      ///< m, box only: edges
+  // Of any length and, in a slot, at right angles; three dimensions only.
+  std::optional<Vector> direction;  ///< slot, along its length; none: in the plane, by `angle`
+  std::optional<Vector> normal;     ///< slot (with direction) and penny, across its width
+  std::optional<double> depth;      ///< m, slot, at right angles to both; none: all through
 };
 
 /// The paper's section 3.1. Equations are given in failure_limits.hpp.
@@ -93,7 +101,8 @@ struct Material {
   std::optional<Failure> failure;  ///< none: never fails
 };
 
-enum class Side { top, bottom, left, right };
+/// Front and back in three dimensions only.
+enum class Side { top, bottom, left, right, front, back };
 enum class Lateral { slip, stick };
 
 /// A rigid plate that prescribes the normal velocity of all nodes at or beyond the bodies' end.
@@ -102,7 +111,8 @@ struct Platen {
   double speed = 0.0;               ///< m/s, towards the specimen; negative pulls, 0 holds
   double ramp = 0.0;                ///< s, smooth step from rest to `speed`
   Lateral lateral = Lateral::slip;  ///< stick: the other components are zero
-  /// m, contact only within it of the bodies' centre; none: the whole end
+  /// m, contact only within it of the bodies' centre along x (left and right: along y); none: the
+  /// whole end
   std::optional<double> half_width = std::nullopt;
 };
 
