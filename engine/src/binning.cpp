@@ -172,9 +172,9 @@ std::vector<std::size_t> bin_particles(Particles<Dim>& particles,
 }
 
 template Particles<2> particles_from<2>(const std::vector<ParticleSeed>&);
+template Particles<3> particles_from<3>(const std::vector<ParticleSeed>&);
 template std::vector<std::size_t> bin_particles<2>(Particles<2>&, const std::vector<std::uint8_t>&,
                                                    const Grid<2>&, Workers&, int);
-template Particles<3> particles_from<3>(const std::vector<ParticleSeed>&);
 template std::vector<std::size_t> bin_particles<3>(Particles<3>&, const std::vector<std::uint8_t>&,
                                                    const Grid<3>&, Workers&, int);
 

@@ -34,7 +34,7 @@ class GridMotion {
   };
 
   GridExtent start_;
-  std::array<Axis, 2> axes_;
+  std::array<Axis, 3> axes_;
 };
 
 }  // namespace rgimp

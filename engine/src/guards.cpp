@@ -76,7 +76,10 @@ std::size_t find_fastest(const Particles<Dim>& particles) {
     if (particles.is_padding(lane)) {
       continue;
     }
-    const double speed = std::hypot(particles.velocity[0][lane], particles.velocity[1][lane]);
+    double speed = 0.0;
+    for (const auto& component : particles.velocity) {
+      speed = std::hypot(speed, component[lane]);
+    }
     if (!fastest || speed > most || (speed == most && is_before(particles, lane, fastest))) {
       fastest = lane;
       most = speed;
@@ -104,8 +107,10 @@ std::string_view lost_quantity(const Particles<Dim>& particles, std::size_t lane
   return std::isfinite(particles.volume[lane]) ? "viscous stress or damage" : "volume";
 }
 
-std::string in_plane(const std::array<double, 3>& vector) {
-  return fmt::format("({:.6g}, {:.6g})", vector[0], vector[1]);
+template <int Dim>
+std::string text_of(const std::array<double, 3>& vector) {
+  std::string text = fmt::format("({:.6g}, {:.6g}", vector[0], vector[1]);
+  return text + (Dim == 3 ? fmt::format(", {:.6g})", vector[2]) : ")");
 }
 
 /// "step 7: WHAT: position (x, y) m, velocity (x, y) m/s, dt/dt_cr 0.4; ADVICE".
@@ -121,8 +126,8 @@ template <int Dim>
     report.velocity[a] = particles.velocity[a][lane];
   }
   throw PhysicsError(fmt::format("step {}: {}: position {} m, velocity {} m/s, dt/dt_cr {:.4g}; {}",
-                                 step.number, what, in_plane(report.position),
-                                 in_plane(report.velocity), step.critical_step_ratio, advice),
+                                 step.number, what, text_of<Dim>(report.position),
+                                 text_of<Dim>(report.velocity), step.critical_step_ratio, advice),
                      report);
 }
 
@@ -142,8 +147,8 @@ void stop_if_broken(Particles<Dim>& particles, const GuardedStep& step, Workers&
          kCalmer);
   }
   stop(particles, *lane, step,
-       fmt::format("particle {} is turned inside out, its volume is {:.6g} m2", id,
-                   particles.volume[*lane]),
+       fmt::format("particle {} is turned inside out, its volume is {:.6g} m{}", id,
+                   particles.volume[*lane], Dim),
        "lower time.step_factor, or load more slowly");
 }
 
@@ -188,6 +193,11 @@ template void stop_if_broken<2>(Particles<2>&, const GuardedStep&, Workers&);
 template void stop_if_too_fast<2>(const Particles<2>&, const GuardedStep&);
 template void stop_at_lost_energies<2>(const Particles<2>&, const GuardedStep&);
 template void stop_outside<2>(const Particles<2>&, const std::vector<std::size_t>&,
+                              const GuardedStep&);
+template void stop_if_broken<3>(Particles<3>&, const GuardedStep&, Workers&);
+template void stop_if_too_fast<3>(const Particles<3>&, const GuardedStep&);
+template void stop_at_lost_energies<3>(const Particles<3>&, const GuardedStep&);
+template void stop_outside<3>(const Particles<3>&, const std::vector<std::size_t>&,
                               const GuardedStep&);
 
 }  // namespace rgimp

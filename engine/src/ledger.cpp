@@ -2,16 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "geometry.hpp"
 
 namespace rgimp {
 namespace {
 
-double width_across(const Case& settings, int load_axis) {
+constexpr double kAxisTolerance = 1e-9;
+
+/// Of the bounding box, but of the circle for one cylinder that is loaded along its axis.
+double area_across(const Case& settings, int load_axis) {
   const Box box = bounds(settings);
-  const int across = load_axis == 0 ? 1 : 0;
-  return box.max[across] - box.min[across];
+  const Vector size = box.max - box.min;
+  if (settings.dimension == 2) {
+    return size[load_axis == 0 ? 1 : 0];
+  }
+  const Body& body = settings.bodies.front();
+  const bool is_core = settings.bodies.size() == 1 && body.shape == BodyShape::cylinder &&
+                       std::abs(body.axis.normalized()[load_axis]) > 1.0 - kAxisTolerance;
+  const double rectangle = size[(load_axis + 1) % 3] * size[(load_axis + 2) % 3];
+  return is_core ? 0.25 * std::numbers::pi * body.size.x() * body.size.x() : rectangle;
 }
 
 }  // namespace
@@ -19,7 +30,7 @@ double width_across(const Case& settings, int load_axis) {
 Ledger::Ledger(const Case& settings, std::size_t rows)
     : platens_(settings.platens),
       load_axis_(load_axis(settings).value_or(1)),
-      width_(width_across(settings, load_axis_)),
+      area_(area_across(settings, load_axis_)),
       nodes_(rows),
       particles_(rows),
       reach_(rows),

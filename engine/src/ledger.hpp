@@ -35,7 +35,7 @@ class Ledger {
   std::int64_t failed_shear() const { return failed_shear_; }
   /// Mean over the platens on the axis of the load, N (2D: per metre), compression > 0.
   double reaction() const;
-  double axial_stress() const { return reaction() / width_; }      ///< Pa, compression > 0
+  double axial_stress() const { return reaction() / area_; }       ///< Pa, compression > 0
   double peak_axial_stress() const { return peak_axial_stress_; }  ///< Pa, of all steps, at least 0
   /// Sum of the displacements towards the specimen of the platens on the axis of the load, m.
   double closure(double time) const;
@@ -75,7 +75,7 @@ class Ledger {
 
   std::vector<Platen> platens_;
   int load_axis_;
-  double width_;  // m, bounding width across the load; unit thickness
+  double area_;  // m2 (2D: m, unit thickness), of the specimen across the load
 
   std::vector<kernels::NodeSums> nodes_;
   std::vector<kernels::ParticleSums> particles_;

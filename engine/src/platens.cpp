@@ -120,5 +120,6 @@ void Platens<Dim>::impose_on_second_field(const kernels::GridView<Dim>& grid,
 }
 
 template class Platens<2>;
+template class Platens<3>;
 
 }  // namespace rgimp

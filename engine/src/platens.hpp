@@ -21,8 +21,8 @@ struct PlatenSums {
 };
 
 /// Rigid plates: prescribed normal velocity, both signs (bonded), of all node rows at or beyond
-/// the specimen's end at the start, which move with the platen (GridMotion). The other component
-/// slips freely or sticks (zero).
+/// the specimen's end at the start, which move with the platen (GridMotion). The other components
+/// slip freely or stick (zero).
 template <int Dim>
 class Platens {
  public:

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
+#include <variant>
 
 #include "case_of_state.hpp"
 #include "checkpoint_file.hpp"
@@ -39,16 +42,21 @@ kernels::Isa choose_isa() {
 
 Case checked(Case settings) {
   check_case(settings);
-  if (settings.dimension == 3) {
-    throw CaseError("dimension: is 3; three dimensions cannot be run yet");
-  }
   return settings;
 }
 
-double max_principal(const std::array<double, 6>& s) {
+double max_principal_in_plane(const std::array<double, 6>& s) {
   const double centre = 0.5 * (s[0] + s[1]);
   const double radius = std::hypot(0.5 * (s[0] - s[1]), s[3]);
   return std::max(centre + radius, s[2]);
+}
+
+double max_principal(const std::array<double, 6>& s) {
+  Eigen::Matrix3d tensor;
+  tensor << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
+  // Its closed form would be faster, but loses half the digits where two are equal.
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor, Eigen::EigenvaluesOnly);
+  return solver.eigenvalues()[2];
 }
 
 FailureMode failure_mode(double mode) {
@@ -56,6 +64,45 @@ FailureMode failure_mode(double mode) {
     return FailureMode::tension;
   }
   return mode == kernels::kFailedInShear ? FailureMode::shear : FailureMode::intact;
+}
+
+template <int Dim>
+ParticleTable table_of(const Particles<Dim>& p) {
+  ParticleTable table;
+  for (const std::size_t i : lanes_by_id(p)) {
+    std::array<double, 3> position{};
+    std::array<double, 3> velocity{};
+    for (int a = 0; a < Dim; ++a) {
+      position[a] = p.position[a][i];
+      velocity[a] = p.velocity[a][i];
+    }
+    std::array<double, 6> stress{};
+    for (int c = 0; c < Particles<Dim>::kStress; ++c) {
+      stress[c] = p.stress[c][i];
+    }
+    table.id.push_back(p.id[i]);
+    table.position.push_back(position);
+    table.velocity.push_back(velocity);
+    table.stress.push_back(stress);
+    table.max_principal_stress.push_back(Dim == 2 ? max_principal_in_plane(stress)
+                                                  : max_principal(stress));
+    table.failed.push_back(failure_mode(p.failure_mode[i]));
+    table.damage.push_back(p.failure_mode[i] >= kernels::kFailedInTension ? 1.0
+                           : p.damage.empty()                             ? 0.0
+                                                                          : p.damage[i]);
+    table.failure_step.push_back(p.failure_step[i]);
+  }
+  return table;
+}
+
+/// Which of the two is decided once; steps are compiled for each.
+using AnySolver = std::variant<Solver<2>, Solver<3>>;
+
+AnySolver make_solver(const Case& settings, kernels::Isa isa, Workers& workers) {
+  if (settings.dimension == 3) {
+    return AnySolver(std::in_place_type<Solver<3>>, settings, isa, workers);
+  }
+  return AnySolver(std::in_place_type<Solver<2>>, settings, isa, workers);
 }
 
 }  // namespace
@@ -66,31 +113,41 @@ class Simulation::Implementation {
       : settings_(checked(std::move(settings))),
         isa_(choose_isa()),
         workers_(settings_.tuning.threads),
-        solver_(settings_, isa_, workers_) {}
+        solver_(make_solver(settings_, isa_, workers_)) {}
+
+  /// visit(the solver), of either dimension.
+  template <typename Visit>
+  decltype(auto) with_solver(Visit visit) {
+    return std::visit(visit, solver_);
+  }
 
   void run_until(std::int64_t step) {
-    workers_.region([&] {
-      while (solver_.steps_done() < step) {
-        solver_.step();
-      }
+    with_solver([&](auto& solver) {
+      workers_.region([&] {
+        while (solver.steps_done() < step) {
+          solver.step();
+        }
+      });
     });
   }
 
   HistoryRow history() {
     HistoryRow row;
-    workers_.region([&] { row = solver_.history(); });
+    workers_.region([&] { row = with_solver([](auto& solver) { return solver.history(); }); });
     return row;
   }
 
   void verify() {
-    workers_.region([&] { solver_.verify(); });
+    workers_.region([&] { with_solver([](auto& solver) { solver.verify(); }); });
   }
 
   void save(const std::filesystem::path& path, std::string_view note) {
     verify();  // a checkpoint is the last good state
-    CheckpointWriter checkpoint(path, solver_.steps_done());
-    solver_.save(checkpoint);
-    checkpoint.finish({case_of_state(settings_), std::string(note)});
+    with_solver([&](auto& solver) {
+      CheckpointWriter checkpoint(path, solver.steps_done());
+      solver.save(checkpoint);
+      checkpoint.finish({case_of_state(settings_), std::string(note)});
+    });
   }
 
   std::string restore(const std::filesystem::path& path) {
@@ -98,26 +155,28 @@ class Simulation::Implementation {
     constexpr std::uintmax_t kLabel = 16U << 20;
     std::error_code ignored;  // reading says more
     const std::uintmax_t size = std::filesystem::file_size(path, ignored);
-    if (!ignored && size > 2 * solver_.memory_bytes() + kLabel) {
+    const std::size_t state = with_solver([](auto& solver) { return solver.memory_bytes(); });
+    if (!ignored && size > 2 * state + kLabel) {
       throw FileError(
           fmt::format("checkpoint '{}': {} bytes are too many for this case", path.string(), size));
     }
     const CheckpointReader checkpoint(path.string(), read_bytes(path));
     require_same_case(settings_, checkpoint.label().case_text, path.string());
-    solver_.restore(checkpoint);
+    with_solver([&](auto& solver) { solver.restore(checkpoint); });
     return checkpoint.label().note;
   }
 
-  Solver<2>& solver() { return solver_; }
   const Case& settings() const { return settings_; }
 
   Facts facts() {
     Facts facts;
-    facts.particles = solver_.particles().count;
-    facts.nodes = solver_.grid().extent().nodes;
-    facts.dt = solver_.dt();
+    with_solver([&](auto& solver) {
+      facts.particles = solver.particles().count;
+      facts.nodes = solver.grid().extent().nodes;
+      facts.dt = solver.dt();
+      facts.memory_bytes = solver.memory_bytes();
+    });
     facts.total_steps = static_cast<std::int64_t>(total_steps(settings_));
-    facts.memory_bytes = solver_.memory_bytes();
     facts.isa = kernels::name(isa_);
     facts.threads = workers_.threads();
     return facts;
@@ -127,7 +186,7 @@ class Simulation::Implementation {
   Case settings_;
   kernels::Isa isa_;
   Workers workers_;
-  Solver<2> solver_;
+  AnySolver solver_;
 };
 
 Simulation::Simulation(Case settings)
@@ -152,34 +211,36 @@ void Simulation::verify() const {
   implementation_->verify();
 }
 std::int64_t Simulation::steps_done() const {
-  return implementation_->solver().steps_done();
+  return implementation_->with_solver([](auto& solver) { return solver.steps_done(); });
 }
 double Simulation::time() const {
-  return implementation_->solver().time();
+  return implementation_->with_solver([](auto& solver) { return solver.time(); });
 }
 double Simulation::critical_step_ratio() const {
-  return implementation_->solver().critical_step_ratio();
+  return implementation_->with_solver([](auto& solver) { return solver.critical_step_ratio(); });
 }
 HistoryRow Simulation::history() const {
   return implementation_->history();
 }
 std::optional<FirstFailure> Simulation::first_failure() const {
-  return implementation_->solver().first_failure();
+  return implementation_->with_solver([](auto& solver) { return solver.first_failure(); });
 }
 RemovedParticles Simulation::removed() const {
-  return implementation_->solver().removed();
+  return implementation_->with_solver([](auto& solver) { return solver.removed(); });
 }
 double Simulation::peak_axial_stress() const {
-  return implementation_->solver().peak_axial_stress();
+  return implementation_->with_solver([](auto& solver) { return solver.peak_axial_stress(); });
 }
 Facts Simulation::facts() const {
   return implementation_->facts();
 }
 
 std::vector<StageTime> Simulation::stage_times() const {
+  const auto seconds =
+      implementation_->with_solver([](auto& solver) { return solver.stage_seconds(); });
   std::vector<StageTime> times;
   for (std::size_t stage = 0; stage < kStageNames.size(); ++stage) {
-    times.push_back({kStageNames[stage], implementation_->solver().stage_seconds()[stage]});
+    times.push_back({kStageNames[stage], seconds[stage]});
   }
   return times;
 }
@@ -189,27 +250,12 @@ const Case& Simulation::settings() const {
 }
 
 ParticleTable Simulation::particles() const {
-  const Particles<2>& p = implementation_->solver().particles();
-  ParticleTable table;
-  for (const std::size_t i : lanes_by_id(p)) {
-    const std::array<double, 6> stress = {
-        p.stress[0][i], p.stress[1][i], p.stress[2][i], p.stress[3][i], 0.0, 0.0};
-    table.id.push_back(p.id[i]);
-    table.position.push_back({p.position[0][i], p.position[1][i], 0.0});
-    table.velocity.push_back({p.velocity[0][i], p.velocity[1][i], 0.0});
-    table.stress.push_back(stress);
-    table.max_principal_stress.push_back(max_principal(stress));
-    table.failed.push_back(failure_mode(p.failure_mode[i]));
-    table.damage.push_back(p.failure_mode[i] >= kernels::kFailedInTension ? 1.0
-                           : p.damage.empty()                             ? 0.0
-                                                                          : p.damage[i]);
-    table.failure_step.push_back(p.failure_step[i]);
-  }
-  return table;
+  return implementation_->with_solver([](auto& solver) { return table_of(solver.particles()); });
 }
 
 std::uint64_t Simulation::state_hash() const {
-  return rgimp::state_hash(implementation_->solver().particles());
+  return implementation_->with_solver(
+      [](auto& solver) { return rgimp::state_hash(solver.particles()); });
 }
 
 }  // namespace rgimp

@@ -294,5 +294,6 @@ std::size_t Solver<Dim>::memory_bytes() const {
 }
 
 template class Solver<2>;
+template class Solver<3>;
 
 }  // namespace rgimp

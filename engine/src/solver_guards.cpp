@@ -67,5 +67,11 @@ template void Solver<2>::verify();
 template double Solver<2>::critical_step_ratio() const;
 template void Solver<2>::rebin();
 template void Solver<2>::take_out(const std::vector<std::size_t>&);
+template GuardedStep Solver<3>::guarded_step() const;
+template void Solver<3>::guard();
+template void Solver<3>::verify();
+template double Solver<3>::critical_step_ratio() const;
+template void Solver<3>::rebin();
+template void Solver<3>::take_out(const std::vector<std::size_t>&);
 
 }  // namespace rgimp

@@ -192,5 +192,7 @@ void Solver<Dim>::restore(const CheckpointReader& checkpoint) {
 
 template void Solver<2>::save(CheckpointWriter&);
 template void Solver<2>::restore(const CheckpointReader&);
+template void Solver<3>::save(CheckpointWriter&);
+template void Solver<3>::restore(const CheckpointReader&);
 
 }  // namespace rgimp

@@ -50,6 +50,8 @@ std::uint64_t state_hash(Particles<Dim>& particles) {
 }
 
 template std::vector<std::size_t> lanes_by_id<2>(const Particles<2>&);
+template std::vector<std::size_t> lanes_by_id<3>(const Particles<3>&);
 template std::uint64_t state_hash<2>(Particles<2>&);
+template std::uint64_t state_hash<3>(Particles<3>&);
 
 }  // namespace rgimp

@@ -18,9 +18,11 @@ enum class FailureMode : std::uint8_t { intact = 0, tension = 1, shear = 2 };
 /// One row of history.csv, at the end of a step.
 struct HistoryRow {
   std::int64_t step = 0;
-  double time = 0.0;            ///< s
-  double closure = 0.0;         ///< m, sum of the platens' displacements towards the specimen
-  double axial_stress = 0.0;    ///< Pa, reaction / (bounding width x thickness), compression > 0
+  double time = 0.0;     ///< s
+  double closure = 0.0;  ///< m, sum of the platens' displacements towards the specimen
+  /// Pa, compression > 0; reaction / bounding width (in 3D the bounding rectangle across the load,
+  /// or the circle of one cylinder loaded along its axis)
+  double axial_stress = 0.0;
   double reaction = 0.0;        ///< N (2D: per metre), mean of the opposed platens, compr. > 0
   double kinetic_energy = 0.0;  ///< J, here and below in 2D per metre of thickness
   /// J, sum of V sigma : C^-1 : s / 2; s is sigma, or the effective stress where points soften

@@ -16,9 +16,9 @@ struct Tuning {
 /// Settings of the order in which sums are added: they change results by round-off, hence belong to
 /// a case, and never follow from the number of threads.
 struct Numerics {
-  /// 2 to 64 rows of nodes. A band of rows is worked on by one thread at a time. At 8 two threads
-  /// are 1.82 times as fast as one, at 4 1.97 times: example 1 has 27 bands of 8, too few to share
-  /// out evenly.
+  /// 2 to 64 rows of nodes, in three dimensions planes. A band of rows is worked on by one thread
+  /// at a time. At 8 two threads are 1.82 times as fast as one, at 4 1.97 times: example 1 has 27
+  /// bands of 8, too few to share out evenly.
   int band_height = 4;
 };
 
