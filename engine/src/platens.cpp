@@ -40,8 +40,13 @@ Platens<Dim>::Platens(const Case& settings, Grid<Dim>& grid)
   constraints_.erase(std::unique(constraints_.begin(), constraints_.end(), same),
                      constraints_.end());
   row_begin_.assign(static_cast<std::size_t>(grid.rows()) + 1, 0);
+  const std::optional<int> loaded = load_axis(settings);
   for (const Constraint& constraint : constraints_) {
-    grid.clear_damping(constraint.node);
+    // In space, plane strain between front and back must be damped as it is in two dimensions, and
+    // nobody reads the reactions there.
+    if (Dim == 2 || axis_of(settings_[constraint.platen].side).axis == loaded) {
+      grid.clear_damping(constraint.node);
+    }
     ++row_begin_[static_cast<std::size_t>(constraint.node / grid.row_stride()) + 1];
   }
   for (std::size_t row = 1; row < row_begin_.size(); ++row) {

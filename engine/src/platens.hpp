@@ -26,7 +26,8 @@ struct PlatenSums {
 template <int Dim>
 class Platens {
  public:
-  /// Also takes the damping off the platens' nodes.
+  /// Also takes the damping off the platens' nodes, in three dimensions off those on the load's
+  /// axis.
   Platens(const Case& settings, Grid<Dim>& grid);
 
   void set_time(double time);

@@ -8,8 +8,9 @@
 namespace rgimp::tests {
 
 /// A solver with what it needs around it.
-struct Model {
-  explicit Model(Case given, int threads = 1, kernels::Isa isa = kernels::best_isa())
+template <int Dim>
+struct ModelIn {
+  explicit ModelIn(Case given, int threads = 1, kernels::Isa isa = kernels::best_isa())
       : settings(std::move(given)), workers(threads), solver(settings, isa, workers) {}
 
   void steps(std::int64_t count) {
@@ -22,8 +23,9 @@ struct Model {
 
   Case settings;
   Workers workers;
-  Solver<2> solver;
+  Solver<Dim> solver;
 };
+using Model = ModelIn<2>;
 
 inline Material rock() {
   return {.density = 2600.0, .youngs_modulus = 17e9, .poisson_ratio = 0.14, .failure = {}};
@@ -49,6 +51,22 @@ inline Case free_block(double width_mm, double height_mm) {
   settings.time.steps = 1000;
   settings.time.step_factor = 0.4;
   return settings;
+}
+
+/// The same in three dimensions, bodies `depth_mm` deep about z = 0.
+inline Case in_space(Case settings, double depth_mm) {
+  settings.dimension = 3;
+  for (Body& body : settings.bodies) {
+    body.size.z() = depth_mm * 1e-3;
+  }
+  return settings;
+}
+
+/// A platen that stands still and lets slip.
+inline Platen holding(Side side) {
+  Platen platen;
+  platen.side = side;
+  return platen;
 }
 
 /// A block between two closing platens.
