@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <vector>
 
 #include "shapes.hpp"
 
@@ -52,42 +52,96 @@ double distance_to_box(const Vector& point, double half_x, double half_y) {
   return std::hypot(std::max(x, 0.0), std::max(y, 0.0)) + std::min(std::max(x, y), 0.0);
 }
 
+/// Signed distance to what a plane figure sweeps along the axis across its plane: from the distance
+/// to the figure and that to the two ends.
+double distance_to_swept(double to_figure, double to_ends) {
+  return std::hypot(std::max(to_figure, 0.0), std::max(to_ends, 0.0)) +
+         std::min(std::max(to_figure, to_ends), 0.0);
+}
+
 double distance_to_slot(const Flaw& slot, const Vector& offset) {
-  const Vector along = direction(slot.angle);
-  const Vector local(std::abs(offset.dot(along)),
-                     std::abs(offset.y() * along.x() - offset.x() * along.y()), 0.0);
+  const FlawFrame frame = frame_of(slot);
+  const Vector local(std::abs(offset.dot(frame.along)), std::abs(offset.dot(frame.across)), 0.0);
   const double half_width = 0.5 * slot.width;
-  if (slot.ends == SlotEnds::round) {
-    return distance_to_box(local, 0.5 * slot.length - half_width, 0.0) - half_width;
-  }
-  return distance_to_box(local, 0.5 * slot.length, half_width);
+  const double to_figure =
+      slot.ends == SlotEnds::round
+          ? distance_to_box(local, 0.5 * slot.length - half_width, 0.0) - half_width
+          : distance_to_box(local, 0.5 * slot.length, half_width);
+  return slot.depth
+             ? distance_to_swept(to_figure, std::abs(offset.dot(frame.deep)) - 0.5 * *slot.depth)
+             : to_figure;
+}
+
+double distance_to_penny(const Flaw& penny, const Vector& offset) {
+  const double height = offset.dot(frame_of(penny).across);
+  const double radius = std::sqrt(std::max(offset.squaredNorm() - height * height, 0.0));
+  return distance_to_swept(radius - 0.5 * penny.length, std::abs(height) - 0.5 * penny.width);
+}
+
+double distance_to_box_flaw(const Flaw& box, const Vector& offset) {
+  const double to_figure =
+      distance_to_box(offset.cwiseAbs(), 0.5 * box.size.x(), 0.5 * box.size.y());
+  const bool is_flat = box.size.z() == 0.0;  // two dimensions
+  return is_flat ? to_figure
+                 : distance_to_swept(to_figure, std::abs(offset.z()) - 0.5 * box.size.z());
 }
 
 struct Surface {
   double distance;  ///< m, inwards
   Vector outwards;
-  Side side;
 };
 
-std::array<Surface, 4> surfaces(const Body& body, const Vector& point) {
-  const Box box = bounds(body);
-  return {{{box.max.y() - point.y(), Vector::UnitY(), Side::top},
-           {point.y() - box.min.y(), -Vector::UnitY(), Side::bottom},
-           {point.x() - box.min.x(), -Vector::UnitX(), Side::left},
-           {box.max.x() - point.x(), Vector::UnitX(), Side::right}}};
+/// Where a round body's surface is nearest, seen from an offset from its centre or axis.
+Surface round_surface(const Vector& offset, double radius) {
+  const double distance = offset.norm();
+  return {radius - distance, distance > 0.0 ? Vector(offset / distance) : Vector::UnitY()};
+}
+
+std::vector<Surface> surfaces(const Body& body, const Vector& point) {
+  const Vector offset = point - body.center;
+  const double radius = 0.5 * body.size.x();
+  switch (body.shape) {
+    case BodyShape::disk:
+    case BodyShape::sphere:
+      return {round_surface(offset, radius)};
+    case BodyShape::cylinder: {
+      const Vector axis = body.axis.normalized();
+      const double height = offset.dot(axis);
+      const double half_height = 0.5 * body.size.y();
+      return {round_surface(offset - height * axis, radius),
+              {half_height - height, axis},
+              {half_height + height, -axis}};
+    }
+    case BodyShape::box:
+      break;
+  }
+  std::vector<Surface> faces;
+  for (const int axis : {1, 0, 2}) {
+    const Vector outwards = Vector::Unit(axis);
+    if (body.size[axis] > 0.0) {  // not along z in two dimensions
+      faces.push_back({0.5 * body.size[axis] - offset[axis], outwards});
+      faces.push_back({0.5 * body.size[axis] + offset[axis], -outwards});
+    }
+  }
+  return faces;
 }
 
 Surface nearest_surface(const Body& body, const Vector& point) {
   const auto nearer = [](const Surface& a, const Surface& b) { return a.distance < b.distance; };
-  const auto sides = surfaces(body, point);
-  Surface nearest = *std::min_element(sides.begin(), sides.end(), nearer);
-  if (body.shape == BodyShape::disk) {  // its side is where the rim looks to
-    const Vector offset = point - body.center;
-    const double radius = offset.norm();
-    nearest.distance = 0.5 * body.size.x() - radius;
-    nearest.outwards = radius > 0.0 ? Vector(offset / radius) : Vector::UnitY();
+  const std::vector<Surface> all = surfaces(body, point);
+  return *std::min_element(all.begin(), all.end(), nearer);
+}
+
+/// Up or down where a direction is as much so as sideways.
+Side side_towards(const Vector& outwards) {
+  const Vector size = outwards.cwiseAbs();
+  if (size.y() >= size.x() && size.y() >= size.z()) {
+    return outwards.y() > 0.0 ? Side::top : Side::bottom;
   }
-  return nearest;
+  if (size.x() >= size.z()) {
+    return outwards.x() > 0.0 ? Side::right : Side::left;
+  }
+  return outwards.z() > 0.0 ? Side::front : Side::back;
 }
 
 }  // namespace
@@ -112,10 +166,11 @@ double distance_to(const Flaw& flaw, const Vector& point) {
       return distance_to_slot(flaw, offset);
     case FlawShape::circle:
     case FlawShape::sphere:
-    case FlawShape::penny:
       return offset.norm() - 0.5 * flaw.length;
+    case FlawShape::penny:
+      return distance_to_penny(flaw, offset);
     case FlawShape::box:
-      return distance_to_box(offset.cwiseAbs(), 0.5 * flaw.size.x(), 0.5 * flaw.size.y());
+      return distance_to_box_flaw(flaw, offset);
   }
   return 0.0;
 }
@@ -132,7 +187,7 @@ std::optional<Side> side_within(const Case& settings, const Vector& point, doubl
         settings.bodies.begin(), settings.bodies.end(),
         [&](const Body& other) { return &other != &body && contains(other, beyond, tolerance); });
     if (surface.distance <= reach + tolerance && open) {
-      return surface.side;
+      return side_towards(surface.outwards);
     }
   }
   return std::nullopt;

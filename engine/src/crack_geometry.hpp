@@ -17,6 +17,7 @@ struct CrackSource {
   bool is_tip = false;               ///< of a slot
 };
 
+/// Of a case of two dimensions.
 std::vector<CrackSource> crack_sources(const Case& settings);
 
 /// m, from the flaw's surface; negative inside.

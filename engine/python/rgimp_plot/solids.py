@@ -75,6 +75,7 @@ class Space:
 
     def __init__(self, result):
         self.first = particles.first_snapshot(result)
+        self.order = np.argsort(self.first.id)
         self.pitch = particles.pitch(result.case) * 1e3
         self.bodies, self.flaws = shapes.read_outlines(result.case)
         self.low, self.high = (1e3 * corner for corner in shapes.bounding_box(self.bodies))
@@ -82,9 +83,8 @@ class Space:
     def failed(self, step, snapshot):
         """Those of a snapshot that had failed at a step."""
         chosen = (snapshot.failed != output.INTACT) & (snapshot.failure_step <= step)
-        order = np.argsort(self.first.id)
-        found = np.searchsorted(self.first.id, snapshot.id[chosen], sorter=order)
-        rows = order[np.minimum(found, len(order) - 1)]
+        found = np.searchsorted(self.first.id, snapshot.id[chosen], sorter=self.order)
+        rows = self.order[np.minimum(found, len(self.order) - 1)]
         known = self.first.id[rows] == snapshot.id[chosen]
         places = (self.first.position[rows[known]] * 1e3 - self.low) / self.pitch - 0.5
         limit = 1 << 19  # no case has as many
