@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <functional>
+#include <initializer_list>
 
 #include "history_file.hpp"
 #include "models.hpp"
@@ -67,10 +68,11 @@ struct GoldenCase {
 };
 
 /// Ends with an exception where a case no longer cracks: it would prove little.
+template <int Dim>
 void print_state(const GoldenCase& golden, kernels::Isa isa) {
-  constexpr int kParts = 8;
+  constexpr int kParts = Dim == 2 ? 8 : 4;
   constexpr int kStepsOfPart = 200;
-  Model model(golden.make(), 2, isa);
+  ModelIn<Dim> model(golden.make(), 2, isa);
   for (int part = 0; part < kParts; ++part) {
     model.steps(kStepsOfPart);
     model.solver.rebin();
@@ -83,20 +85,26 @@ void print_state(const GoldenCase& golden, kernels::Isa isa) {
              state_hash(model.solver.particles()), format_history_row(row));
 }
 
-void print_states() {
-  const GoldenCase cases[] = {{"block-musl", [] { return with_integrator(Integrator::musl); }},
-                              {"block-usl", [] { return with_integrator(Integrator::usl); }},
-                              {"block-usf", [] { return with_integrator(Integrator::usf); }},
-                              {"softening", softening_block},
-                              {"disk", split_disk},
-                              {"layers", heavy_layers}};
+template <int Dim>
+void print_states(std::initializer_list<GoldenCase> cases) {
   for (const GoldenCase& golden : cases) {
     for (const kernels::Isa isa : kernels::kAllIsas) {
       if (kernels::available(isa)) {
-        print_state(golden, isa);
+        print_state<Dim>(golden, isa);
       }
     }
   }
+}
+
+void print_states() {
+  print_states<2>({{"block-musl", [] { return with_integrator(Integrator::musl); }},
+                   {"block-usl", [] { return with_integrator(Integrator::usl); }},
+                   {"block-usf", [] { return with_integrator(Integrator::usf); }},
+                   {"softening", softening_block},
+                   {"disk", split_disk},
+                   {"layers", heavy_layers}});
+  print_states<3>(
+      {{"penny", cracking_block_in_space}, {"softening-penny", softening_block_in_space}});
 }
 
 }  // namespace

@@ -21,6 +21,15 @@ Outcome crack(const Case& settings, int threads, kernels::Isa isa) {
   return {state_hash(model.solver.particles()), model.solver.history()};
 }
 
+Outcome crack_in_space(const Case& settings, int threads, kernels::Isa isa) {
+  ModelIn<3> model(settings, threads, isa);
+  for (int part = 0; part < 4; ++part) {
+    model.steps(200);
+    model.solver.rebin();
+  }
+  return {state_hash(model.solver.particles()), model.solver.history()};
+}
+
 Outcome crack(int threads, kernels::Isa isa) {
   return crack(cracking_block(), threads, isa);
 }
@@ -83,6 +92,23 @@ TEST_CASE("a softening run has the same bits on any number of threads, and on AV
   }
   if (kernels::available(kernels::Isa::avx512)) {
     REQUIRE(crack(softening_block(), 2, kernels::Isa::avx2).hash == one.hash);
+  }
+}
+
+TEST_CASE("a penny cracks to the same bits on any number of threads, and on AVX2 and AVX-512") {
+  Case settings = cracking_block_in_space();
+  const Outcome one = crack_in_space(settings, 1, kernels::best_isa());
+  REQUIRE(one.row.failed_tension > 20);
+  for (const int threads : {2, 3, 7}) {
+    settings.tuning.bands_per_task = threads % 3 + 1;
+    const Outcome more = crack_in_space(settings, threads, kernels::best_isa());
+    INFO(threads << " threads");
+    REQUIRE(more.hash == one.hash);
+    REQUIRE(more.row.external_work == one.row.external_work);
+    REQUIRE(more.row.released_energy == one.row.released_energy);
+  }
+  if (kernels::available(kernels::Isa::avx512)) {
+    REQUIRE(crack_in_space(settings, 2, kernels::Isa::avx2).hash == one.hash);
   }
 }
 

@@ -27,6 +27,8 @@ struct ModelIn {
 };
 using Model = ModelIn<2>;
 
+using Model = ModelIn<2>;
+
 inline Material rock() {
   return {.density = 2600.0, .youngs_modulus = 17e9, .poisson_ratio = 0.14, .failure = {}};
 }
@@ -100,6 +102,39 @@ inline Case softening_block() {
   Case settings = cracking_block();
   settings.materials["rock"].failure->fracture_energy = 0.5;
   settings.materials["rock"].failure->shear_fracture_energy = 20.0;
+  settings.local_damping = 0.1;
+  return settings;
+}
+
+/// An elastic block of the given size in mm, cells of 0.5 mm, nothing holding it.
+inline Case free_block_in_space(const Vector& size_mm) {
+  Case settings = free_block(1.0, 1.0);
+  settings.dimension = 3;
+  settings.bodies.front().size = size_mm * 1e-3;
+  return settings;
+}
+
+/// A block of 9 x 13 x 8 cells of 1 mm with an oblique penny that cracks within 600 steps.
+inline Case cracking_block_in_space() {
+  Case settings = cracking_block();
+  settings.dimension = 3;
+  settings.grid.cell_size = 1e-3;
+  settings.bodies.front().size = Vector(9e-3, 13e-3, 8e-3);
+  Flaw penny;
+  penny.shape = FlawShape::penny;
+  penny.length = 5e-3;
+  penny.width = 2e-3;
+  penny.normal = Vector(-1.0, 1.0, 0.3);
+  settings.flaws = {penny};
+  for (Platen& platen : settings.platens) {
+    platen.speed = 0.03;
+  }
+  return settings;
+}
+
+inline Case softening_block_in_space() {
+  Case settings = cracking_block_in_space();
+  settings.materials["rock"].failure = softening_block().materials["rock"].failure;
   settings.local_damping = 0.1;
   return settings;
 }

@@ -47,8 +47,10 @@ Case with_integrator(Case settings, Integrator integrator) {
 
 TEST_CASE("a restored simulation goes on to the same bits") {
   const auto integrator = GENERATE(Integrator::musl, Integrator::usl, Integrator::usf);
-  const bool softens = GENERATE(false, true);
-  const Case settings = with_integrator(softens ? softening_block() : cracking_block(), integrator);
+  const auto [name, make] = GENERATE(std::pair("the paper's rule", &cracking_block),
+                                     std::pair("softening", &softening_block),
+                                     std::pair("softening in space", &softening_block_in_space));
+  const Case settings = with_integrator(make(), integrator);
   const TemporaryDirectory directory;
   Simulation whole(settings);
   std::map<std::int64_t, HistoryRow> rows;
@@ -64,7 +66,7 @@ TEST_CASE("a restored simulation goes on to the same bits") {
   whole.run_until(kSteps);
   REQUIRE(whole.history().failed_tension > 0);
   for (const std::int64_t step : {0, 1, 700, 1301}) {
-    INFO("from step " << step << " with " << (softens ? "softening" : "the paper's rule"));
+    INFO("from step " << step << " with " << name);
     Simulation resumed(settings);
     resumed.restore(directory / std::to_string(step));
     REQUIRE(resumed.steps_done() == step);
