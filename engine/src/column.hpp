@@ -6,24 +6,45 @@
 
 namespace rgimp {
 
-/// Allocates on cache lines, so that whole groups load aligned on every ISA.
-template <typename T>
-struct CacheLineAllocator {
-  using value_type = T;
-  static constexpr std::align_val_t kAlignment{64};
+/// Bytes from which a column lies on huge pages, where the machine has them: three-dimensional
+/// columns span more small pages than a core keeps the addresses of.
+inline constexpr std::size_t kHugeColumn = std::size_t{4} << 20;
+inline constexpr std::size_t kHugePage = std::size_t{2} << 20;
 
-  CacheLineAllocator() = default;
+/// Asks for huge pages; does nothing where there are none.
+void advise_huge_pages(void* memory, std::size_t bytes);
+
+/// Allocates on cache lines, so that whole groups load aligned on every ISA, and large columns on
+/// huge pages.
+template <typename T>
+struct ColumnAllocator {
+  using value_type = T;
+
+  ColumnAllocator() = default;
   template <typename U>
-  CacheLineAllocator(const CacheLineAllocator<U>&) {}
+  ColumnAllocator(const ColumnAllocator<U>&) {}
 
   T* allocate(std::size_t count) {
-    return static_cast<T*>(::operator new(count * sizeof(T), kAlignment));
+    const std::size_t bytes = count * sizeof(T);
+    void* const memory = ::operator new(bytes, alignment_of(bytes));
+    if (bytes >= kHugeColumn) {
+      advise_huge_pages(memory, bytes);
+    }
+    return static_cast<T*>(memory);
   }
-  void deallocate(T* memory, std::size_t) { ::operator delete(memory, kAlignment); }
-  bool operator==(const CacheLineAllocator&) const { return true; }
+  void deallocate(T* memory, std::size_t count) {
+    ::operator delete(memory, alignment_of(count * sizeof(T)));
+  }
+  bool operator==(const ColumnAllocator&) const { return true; }
+
+ private:
+  static std::align_val_t alignment_of(std::size_t bytes) {
+    constexpr std::size_t kCacheLine = 64;
+    return std::align_val_t{bytes >= kHugeColumn ? kHugePage : kCacheLine};
+  }
 };
 
 template <typename T>
-using Column = std::vector<T, CacheLineAllocator<T>>;
+using Column = std::vector<T, ColumnAllocator<T>>;
 
 }  // namespace rgimp
