@@ -56,26 +56,27 @@ void divide_by_mass(const Table& table, KernelState& state) {
   table.divide_by_mass(grid, grid.momentum, state.node_update.least_mass, state.nodes());
 }
 
+using Of = Columns<2>;
+
 const Kernel kKernels[] = {
-    {"scatter_all", scatter<&Table::scatter_all>, columns::kAll - columns::kFailureMode},
-    {"scatter_mass_momentum", scatter<&Table::scatter_mass_momentum>, columns::kMotion},
-    {"accelerate", pass<&Table::accelerate>, columns::kMotion + columns::kVelocity},
-    {"strain_and_move", pass<&Table::strain_and_move>,
-     columns::kAll + columns::kPosition + columns::kStrained},
+    {"scatter_all", scatter<&Table::scatter_all>, Of::kAll - Of::kFailureMode},
+    {"scatter_mass_momentum", scatter<&Table::scatter_mass_momentum>, Of::kMotion},
+    {"accelerate", pass<&Table::accelerate>, Of::kMotion + Of::kVelocity},
+    {"strain_and_move", pass<&Table::strain_and_move>, Of::kAll + Of::kPosition + Of::kStrained},
     {"accelerate_strain_and_move", pass<&Table::accelerate_strain_and_move>,
-     columns::kAll + columns::kVelocity + columns::kPosition + columns::kStrained},
-    {"strain", pass<&Table::strain>, columns::kAll - columns::kVelocity + columns::kStrained},
+     Of::kAll + Of::kVelocity + Of::kPosition + Of::kStrained},
+    {"strain", pass<&Table::strain>, Of::kAll - Of::kVelocity + Of::kStrained},
     {"accelerate_and_move", pass<&Table::accelerate_and_move>,
-     columns::kMotion + columns::kPosition + columns::kVelocity},
+     Of::kMotion + Of::kPosition + Of::kVelocity},
     {"update_nodes", update_nodes, 1 + 1 + 2 * 4, true},  // mass, damping; two fields updated
     {"divide_by_mass", divide_by_mass, 1 + 2 * 2, true},
 };
 
 const NamedPart kParts[] = {
-    {"weights", &KernelParts::weights, kWeightColumns, columns::kPosition},
-    {"G2P", &KernelParts::gather, kGatherColumns, columns::kPosition},
-    {"stress", &KernelParts::stress, kStressColumns, columns::kVelocity + columns::kStress},
-    {"failure", &KernelParts::failure, kFailureColumns, columns::kStress},
+    {"weights", &KernelParts::weights, kWeightColumns, Of::kPosition},
+    {"G2P", &KernelParts::gather, kGatherColumns, Of::kPosition},
+    {"stress", &KernelParts::stress, kStressColumns, Of::kVelocity + Of::kStress},
+    {"failure", &KernelParts::failure, kFailureColumns, Of::kStress},
 };
 
 const KernelParts& parts_for(Isa isa) {

@@ -6,7 +6,9 @@
 #include <vector>
 
 namespace rgimp::bench {
-Engine::Engine(const Setting& setting, const Case& settings) : workers_(setting.threads) {
+
+template <int Dim>
+Engine<Dim>::Engine(const Setting& setting, const Case& settings) : workers_(setting.threads) {
   const auto start = std::chrono::steady_clock::now();
   solver_.emplace(settings, setting.isa, workers_);
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
@@ -18,7 +20,8 @@ Engine::Engine(const Setting& setting, const Case& settings) : workers_(setting.
   squeeze_and_shear(settings.platens.front().speed, 0.5 * body.size.y());
 }
 
-void Engine::steps(std::int64_t count) {
+template <int Dim>
+void Engine<Dim>::steps(std::int64_t count) {
   workers_.region([&] {
     for (std::int64_t i = 0; i < count; ++i) {
       solver_->step();
@@ -26,14 +29,18 @@ void Engine::steps(std::int64_t count) {
   });
 }
 
-/// Each particle anywhere in the square of a seed drawn at random: uniform over the specimen, and
-/// never in a flaw.
-void Engine::place_at_random(double pitch) {
-  Particles<2>& particles = solver_->particles();
-  std::vector<std::array<double, 2>> seeds;
+/// Each particle anywhere in the square or cube of a seed drawn at random: uniform over the
+/// specimen, and never in a flaw.
+template <int Dim>
+void Engine<Dim>::place_at_random(double pitch) {
+  Particles<Dim>& particles = solver_->particles();
+  std::vector<std::array<double, Dim>> seeds;
   for (std::size_t i = 0; i < particles.lanes(); ++i) {
     if (!particles.is_padding(i)) {
-      seeds.push_back({particles.position[0][i], particles.position[1][i]});
+      std::array<double, Dim>& seed = seeds.emplace_back();
+      for (int a = 0; a < Dim; ++a) {
+        seed[a] = particles.position[a][i];
+      }
     }
   }
   std::mt19937_64 random(1);
@@ -41,7 +48,7 @@ void Engine::place_at_random(double pitch) {
   std::uniform_real_distribution<double> within(-0.5 * pitch, 0.5 * pitch);
   for (std::size_t i = 0; i < particles.lanes(); ++i) {
     if (!particles.is_padding(i)) {
-      const std::array<double, 2>& seed = seeds[draw(random)];
+      const std::array<double, Dim>& seed = seeds[draw(random)];
       for (std::size_t a = 0; a < seed.size(); ++a) {
         particles.position[a][i] = seed[a] + within(random);
       }
@@ -50,8 +57,9 @@ void Engine::place_at_random(double pitch) {
   solver_->rebin();
 }
 
-void Engine::squeeze_and_shear(double speed, double half_height) {
-  Particles<2>& particles = solver_->particles();
+template <int Dim>
+void Engine<Dim>::squeeze_and_shear(double speed, double half_height) {
+  Particles<Dim>& particles = solver_->particles();
   for (std::size_t i = 0; i < particles.lanes(); ++i) {
     if (!particles.is_padding(i)) {
       const double share = particles.position[1][i] / half_height;
@@ -60,5 +68,8 @@ void Engine::squeeze_and_shear(double speed, double half_height) {
     }
   }
 }
+
+template class Engine<2>;
+template class Engine<3>;
 
 }  // namespace rgimp::bench

@@ -12,6 +12,7 @@ namespace rgimp::bench {
 
 /// A solver in the state that timing and comparison start from: in motion, so that the stresses of
 /// all particles change from the first step on.
+template <int Dim>
 class Engine {
  public:
   Engine(const Setting& setting, const Case& settings);
@@ -19,7 +20,7 @@ class Engine {
   /// In one region of Workers, as the steps of a run between two outputs are.
   void steps(std::int64_t count);
 
-  Solver<2>& solver() { return *solver_; }
+  Solver<Dim>& solver() { return *solver_; }
   HistoryRow history() { return solver_->history(); }
   std::size_t particles() { return solver_->particles().count; }
   /// Particles and the padding among them.
@@ -33,8 +34,19 @@ class Engine {
   void squeeze_and_shear(double speed, double half_height);
 
   Workers workers_;
-  std::optional<Solver<2>> solver_;
+  std::optional<Solver<Dim>> solver_;
   double startup_seconds_ = 0.0;
 };
+
+/// visit(an engine of the setting's dimension).
+template <typename Visit>
+auto with_engine(const Setting& setting, const Case& settings, Visit visit) {
+  if (setting.dimension == 3) {
+    Engine<3> engine(setting, settings);
+    return visit(engine);
+  }
+  Engine<2> engine(setting, settings);
+  return visit(engine);
+}
 
 }  // namespace rgimp::bench

@@ -22,8 +22,8 @@ constexpr double kTolerance = 1e-12;
 /// Even, so that the first layer of the grid is the one that the next step gathers from.
 constexpr std::int64_t kStepsBefore = 20;
 
-Engine& engine_in_motion() {
-  static Engine engine(kSetting, example_1(kSetting));
+Engine<2>& engine_in_motion() {
+  static Engine<2> engine(kSetting, case_of(kSetting));
   static const bool moved = (engine.steps(kStepsBefore), true);
   static_cast<void>(moved);
   return engine;
@@ -123,7 +123,7 @@ KernelState::KernelState()
       node_sums(static_cast<std::size_t>(grid.rows())),
       sums_(node_sums.size()),
       reach_(node_sums.size()) {
-  const Case settings = example_1(kSetting);
+  const Case settings = case_of(kSetting);
   for (const auto& [name, material] : settings.materials) {
     materials.push_back(material_constants(material, settings));
   }

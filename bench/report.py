@@ -33,7 +33,9 @@ def page(context, results, picture):
     if results.of("fma") or results.of("triad"):
         parts += ["## Peaks", tables.PEAKS_TEXT, tables.peaks(results)]
     if results.of("step"):
-        parts += ["## Steps of example 1", tables.STEPS_TEXT, *tables.steps(results)]
+        parts += ["## Steps of example 1", tables.STEPS_TEXT, *tables.steps(results, "step")]
+    if results.of("cube"):
+        parts += ["## Steps in three dimensions", tables.CUBES_TEXT, *tables.steps(results, "cube")]
     if results.of("kernel"):
         parts += ["## Kernels", tables.KERNELS_TEXT, tables.kernels(results)]
     if results.of("size"):

@@ -25,6 +25,9 @@ of particle columns by the model in `bench/traffic.hpp`, and its share of the tr
 share may exceed 1; out of it, updates in place cost no write-allocate, so the machine is saturated
 at 1.33 where the triad pays for it. `random` has a Poisson number of particles in each bin, which
 costs lanes that stay empty."""
+CUBES_TEXT = """\
+The same for a cube with a penny flaw at 45 degrees between two platens: eight particles a cell,
+27 nodes a particle."""
 KERNELS_TEXT = """\
 Nanoseconds per particle on one thread, in cache, over all rows of the grid; `ratio` is to the
 scalar twin. What an engine calls comes first: `scatter` is P2G, the others are passes, which
@@ -88,34 +91,35 @@ def triad(results, threads):
     return results.number("bytes_per_second", "triad", threads=threads)
 
 
-def steps(results):
-    """A table for each size and arrangement of particles."""
-    for cells in results.values("cells", "step"):
-        for particles in results.values("particles", "step"):
-            if results.of("step", cells=cells, particles=particles):
-                yield from step_table(results, {"cells": cells, "particles": particles})
+def steps(results, kind):
+    """A table for each size and arrangement of particles; `kind` is that of the benchmarks."""
+    for cells in results.values("cells", kind):
+        for particles in results.values("particles", kind):
+            if results.of(kind, cells=cells, particles=particles):
+                yield from step_table(results, kind, {"cells": cells, "particles": particles})
 
 
-def step_table(results, case):
+def step_table(results, kind, case):
     """Title, table, spread."""
-    whole = [result for result in results.of("step", **case) if not result.error]
+    whole = [result for result in results.of(kind, **case) if not result.error]
     yield f"### {case['particles'].capitalize()}" + (
         ", {particles:,.0f} particles, {lanes_per_particle:.2f} lanes each".format(
             **whole[0].counters) if whole else "")
-    threads = results.values("threads", "step")
+    threads = results.values("threads", kind)
     header = ["integrator, instructions", *(f"M/s, {on(n)}" for n in threads),
               *(f"ratio, {on(n)}" for n in threads), "scaling", "ns per core", "GB/s", "of triad"]
-    yield table(header, [step_row(results, threads, case | {"integrator": integrator, "isa": isa})
+    yield table(header, [step_row(results, kind, threads,
+                                  case | {"integrator": integrator, "isa": isa})
                          for integrator in INTEGRATORS for isa in ISAS
-                         if results.of("step", **case, integrator=integrator, isa=isa)])
+                         if results.of(kind, **case, integrator=integrator, isa=isa)])
     spreads = [result.spread for result in whole if result.spread is not None]
     if spreads:
         yield f"Coefficients of variation up to {max(spreads):.1%}."
 
 
-def step_row(results, threads, setting):
+def step_row(results, kind, threads, setting):
     def number(counter, **other):
-        return results.number(counter, "step", **setting | other)
+        return results.number(counter, kind, **setting | other)
 
     speeds = {n: number("particle_steps_per_second", threads=n) for n in threads}
     reference = number("particle_steps_per_second", isa="reference", threads="1")

@@ -25,7 +25,7 @@ size_options=()
 if [[ ${1:-} == --quick ]]; then
   shift
   quick=(--benchmark_min_time=0.05 --benchmark_repetitions=3)
-  step_options=("${quick[@]}" --benchmark_filter='-cells:1000/')
+  step_options=("${quick[@]}" --benchmark_filter='-cells:(1000|64)/')
   kernel_options=("${quick[@]}")
   size_options=("${quick[@]}" --benchmark_filter='-cells:(910|1580)/')
 fi

@@ -18,7 +18,9 @@ std::int64_t steps_per_iteration(std::size_t particles) {
   return std::max<std::int64_t>(kParticleSteps / static_cast<std::int64_t>(particles), 1);
 }
 
-void count(benchmark::State& state, Engine& engine, const Setting& setting, double particle_steps) {
+template <int Dim>
+void count(benchmark::State& state, Engine<Dim>& engine, const Setting& setting,
+           double particle_steps) {
   using benchmark::Counter;
   const auto particles = static_cast<double>(engine.particles());
   const double lanes = static_cast<double>(engine.lanes()) / particles;
@@ -30,11 +32,11 @@ void count(benchmark::State& state, Engine& engine, const Setting& setting, doub
   state.counters["ns_per_particle_step_and_core"] =
       Counter(particle_steps * 1e-9 / setting.threads, Counter::kIsRate | Counter::kInvert);
   state.counters["model_bytes_per_second"] =
-      Counter(particle_steps * lanes * bytes_of_step(setting.integrator), Counter::kIsRate);
+      Counter(particle_steps * lanes * bytes_of_step<Dim>(setting.integrator), Counter::kIsRate);
 }
 
-void time_steps(benchmark::State& state, const Setting& setting) {
-  Engine engine(setting, example_1(setting));
+template <int Dim>
+void time_steps(benchmark::State& state, Engine<Dim>& engine, const Setting& setting) {
   const std::int64_t steps = steps_per_iteration(engine.particles());
   engine.steps(steps);
   for ([[maybe_unused]] auto _ : state) {
@@ -56,7 +58,8 @@ void verify_and_time(benchmark::State& state, const Setting& setting) {
     return;
   }
   try {
-    time_steps(state, setting);
+    with_engine(setting, case_of(setting),
+                [&](auto& engine) { time_steps(state, engine, setting); });
   } catch (const Error& error) {
     state.SkipWithError(error.what());
   }

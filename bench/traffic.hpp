@@ -16,36 +16,38 @@ struct Pass {
   int writes;
 };
 
-namespace columns {
-inline constexpr int kPosition = 2;
-inline constexpr int kVelocity = 2;
-inline constexpr int kMass = 1;
-inline constexpr int kVolume = 1;
-inline constexpr int kViscousEnergy = 1;
-inline constexpr int kFailureMode = 1;
-inline constexpr int kStress = 4;
-inline constexpr int kAll =
-    kPosition + kVelocity + kMass + kVolume + kViscousEnergy + kFailureMode + kStress;
-inline constexpr int kMotion = kPosition + kVelocity + kMass;
-inline constexpr int kStrained = kVolume + kViscousEnergy + kStress;  // what a new strain changes
-}  // namespace columns
+/// Columns of each kind.
+template <int Dim>
+struct Columns {
+  static constexpr int kPosition = Dim;
+  static constexpr int kVelocity = Dim;
+  static constexpr int kMass = 1;
+  static constexpr int kVolume = 1;
+  static constexpr int kViscousEnergy = 1;
+  static constexpr int kFailureMode = 1;
+  static constexpr int kStress = Dim == 2 ? 4 : 6;
+  static constexpr int kMotion = kPosition + kVelocity + kMass;
+  static constexpr int kStrained = kVolume + kViscousEnergy + kStress;  // what a new strain changes
+  static constexpr int kAll = kMotion + kStrained + kFailureMode;
+};
 
 /// Bytes per lane and step.
+template <int Dim>
 constexpr double bytes_of_step(Integrator integrator) {
-  using namespace columns;
+  using Of = Columns<Dim>;
   Pass first{};
   Pass second{};
   switch (integrator) {
     case Integrator::musl:
-      first = {kMotion, kVelocity};            // new velocities, scattered again
-      second = {kAll, kPosition + kStrained};  // strain, move, scatter
+      first = {Of::kMotion, Of::kVelocity};                // new velocities, scattered again
+      second = {Of::kAll, Of::kPosition + Of::kStrained};  // strain, move, scatter
       break;
     case Integrator::usl:
-      first = {kAll, kVelocity + kPosition + kStrained};  // all in one
+      first = {Of::kAll, Of::kVelocity + Of::kPosition + Of::kStrained};  // all in one
       break;
     case Integrator::usf:
-      first = {kMotion, kPosition + kVelocity};  // move, scatter momentum
-      second = {kAll - kVelocity, kStrained};    // strain, scatter force
+      first = {Of::kMotion, Of::kPosition + Of::kVelocity};  // move, scatter momentum
+      second = {Of::kAll - Of::kVelocity, Of::kStrained};    // strain, scatter force
       break;
   }
   return static_cast<double>(sizeof(double)) *

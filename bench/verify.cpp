@@ -25,13 +25,18 @@ std::int64_t steps_to_compare(const Setting& setting, std::size_t particles) {
   return std::clamp(std::min(affordable, accurate), kLeastSteps, kMostSteps);
 }
 
+std::string key_of(const Setting& setting) {
+  return fmt::format("{} dimensions, {}", setting.dimension, name(setting));
+}
+
 HistoryRow row_after_steps(const Setting& setting) {
-  Case settings = example_1(setting);
+  Case settings = case_of(setting);
   // Local damping turns on the sign of velocities, which may be round-off.
   settings.local_damping = 0.0;
-  Engine engine(setting, settings);
-  engine.steps(steps_to_compare(setting, engine.particles()));
-  return engine.history();
+  return with_engine(setting, settings, [&](auto& engine) {
+    engine.steps(steps_to_compare(setting, engine.particles()));
+    return engine.history();
+  });
 }
 
 /// The reference's row of the same case.
@@ -39,7 +44,7 @@ const HistoryRow& expected_row(Setting setting) {
   static std::map<std::string, HistoryRow> rows;
   setting.isa = kernels::Isa::reference;
   setting.threads = 1;
-  const std::string key = name(setting);
+  const std::string key = key_of(setting);
   const auto found = rows.find(key);
   return found != rows.end() ? found->second
                              : rows.emplace(key, row_after_steps(setting)).first->second;
@@ -75,7 +80,7 @@ std::string compare_or_explain(const Setting& setting) {
 
 const std::string& difference_from_reference(const Setting& setting) {
   static std::map<std::string, std::string> differences;
-  const std::string key = name(setting);
+  const std::string key = key_of(setting);
   const auto found = differences.find(key);
   return found != differences.end()
              ? found->second

@@ -36,7 +36,8 @@ class Programs(ReportTest):
         for name in ("triad/threads:2", "fma/isa:baseline/threads:1",
                      "step/cells:100/particles:lattice/integrator:musl/isa:reference/threads:1",
                      "step/cells:100/particles:random/integrator:usf/isa:baseline/threads:2",
-                     "step/cells:1000/particles:lattice/integrator:usl/isa:reference/threads:1"):
+                     "step/cells:1000/particles:lattice/integrator:usl/isa:reference/threads:1",
+                     "cube/cells:64/particles:lattice/integrator:musl/isa:reference/threads:1"):
             self.assertIn(name + "/real_time", steps)
         kernels = output_of(BENCH_KERNELS, "--benchmark_list_tests").split()
         for name in ("scatter_all", "accelerate_strain_and_move", "divide_by_mass", "weights",
@@ -54,6 +55,15 @@ class Programs(ReportTest):
         for key in ("cpu", "memory", "isas", "compiler", "flags", "version"):
             self.assertNotIn(document["context"][key], ("", "unknown"), key)
         self.assertEqual(len(self.row(self.report(path), "928")), 5 - 2)
+
+    def test_a_cube_is_verified_and_reported(self):
+        path, document = self.measure(
+            BENCH_STEP, "cube/cells:24/particles:lattice/integrator:musl/isa:baseline/threads:2")
+        row = document["benchmarks"][0]
+        self.assertNotIn("error_occurred", row)
+        self.assertGreater(row["particles"], 24**3 * 7)
+        self.assertLess(row["bytes_per_particle"], 230)
+        self.assertIn("## Steps in three dimensions", self.report(path))
 
     def test_random_particles_are_verified(self):
         _, document = self.measure(
