@@ -116,10 +116,12 @@ void require_inert_padding(const Particles<Dim>& p, const Grid<Dim>& nodes) {
   }
 }
 
-/// Few particles and many, gaps and none, little stress and much, softening.
+/// Few particles and many (several rounds of a group in each dimension), gaps and none, little
+/// stress and much, softening.
 inline const Filling kFillings[] = {
     {.most_slots = 6},
     {.most_slots = 40, .occupied = 0.5},
+    {.most_slots = 150, .occupied = 0.2},
     {.most_slots = 3, .occupied = 0.0, .only_one_per_group = true},
     {.most_slots = 4, .occupied = 1.0, .initial_stress = 1e5},
     {.most_slots = 6, .softens = true},

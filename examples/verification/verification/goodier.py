@@ -5,6 +5,8 @@ hole adds, to the tension S, displacements of the harmonic functions A / r + B d
 C d(1/r)/dy (Papkovich and Neuber), whose three constants free its surface of traction.
 """
 
+import numpy as np
+
 
 def axial_stress(distance, cosine, ratio):
     """Stress along y over S at `distance` radii from the centre (>= 1), in a direction whose angle
@@ -27,3 +29,11 @@ def equator(distance, ratio):
     """`axial_stress` in the plane across y, as the books have it."""
     scale = 2.0 * (7.0 - 5.0 * ratio)
     return 1.0 + (4.0 - 5.0 * ratio) / scale / distance**3 + 9.0 / scale / distance**5
+
+
+def section_mean(half_edge, ratio, points=2000):
+    """Mean of the stress along y over S in the square |x|, |z| < `half_edge` radii of the plane
+    y = 0, the hole counted as nothing: what of S a section of that size carries."""
+    middle = (np.arange(points) + 0.5) * half_edge / points
+    distance = np.hypot(*np.meshgrid(middle, middle))
+    return float(np.where(distance > 1.0, equator(np.maximum(distance, 1.0), ratio), 0.0).mean())
