@@ -71,12 +71,13 @@ std::vector<std::size_t> counterparts(const Case& settings, const Matrix3d& turn
   return ids;
 }
 
-/// An oblique embedded slot off the centre, pressed along y, held along x and pulled by a body
-/// force: no symmetry at all.
+/// An oblique embedded slot off the centre, pressed along y, stuck to a platen along x and pulled
+/// by a body force: no symmetry at all.
 Case lopsided_block() {
   Case settings = in_space(compressed_block(6.0, 8.0, 0.2), 5.0);
   settings.materials["rock"].failure = rock_failure();
   settings.platens.push_back(holding(Side::left));
+  settings.platens.back().lateral = Lateral::stick;
   settings.body_acceleration = Vector(300.0, 100.0, -2000.0);
   Flaw slot;
   slot.center = Vector(0.3e-3, -0.2e-3, 0.4e-3);

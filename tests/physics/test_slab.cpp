@@ -105,4 +105,31 @@ TEST_CASE("a cracking slab in plane strain is the plane to round-off") {
   }
 }
 
+// Contacts of a half width are strips along z.
+TEST_CASE("a cylinder between strips, its ends held, is the disk to round-off") {
+  Case disk = compressed_block(10.0, 10.0, 0.5);
+  disk.bodies[0].shape = BodyShape::disk;
+  disk.materials["rock"].failure = rock_failure();
+  for (Platen& platen : disk.platens) {
+    platen.half_width = 1e-3;
+  }
+  Case cylinder = slab_of(disk, 2);
+  Body& body = cylinder.bodies[0];
+  body.shape = BodyShape::cylinder;
+  body.axis = Vector::UnitZ();
+  body.size = Vector(body.size.x(), body.size.z(), 0.0);
+  Model plane(disk, 2);
+  ModelIn<3> slab(cylinder, 2);
+  plane.steps(600);
+  slab.steps(600);
+  const Apart apart = compare(plane, slab);
+  INFO("velocity " << apart.velocity << ", stress " << apart.stress);
+  REQUIRE(plane.solver.history().failed_tension > 10);
+  REQUIRE(apart.modes == 0);
+  REQUIRE(apart.velocity < 1e-8);
+  REQUIRE(apart.stress < 1e-9);
+  REQUIRE(slab.solver.history().reaction / 1e-3 ==
+          Approx(plane.solver.history().reaction).epsilon(1e-9));
+}
+
 }  // namespace rgimp::tests
