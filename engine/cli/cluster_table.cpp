@@ -31,7 +31,8 @@ std::string format_cluster(const CrackClusters& cracks, const CrackCluster& clus
     return extent.distance == end.distance;
   });
   const Vector size = (end.max - end.min) * 1e3;
-  return fmt::format(kLine, cluster.name, fmt::format("{}", fmt::join(cluster.flaws, ",")),
+  return fmt::format(kLine, cluster.name,
+                     cluster.flaws.empty() ? "-" : fmt::format("{}", fmt::join(cluster.flaws, ",")),
                      counted(cluster.particles.size()), with_separators(first.step),
                      in_mm(first.position), fmt::format("{:.2f}", end.distance * 1e3),
                      in_mm(end.farthest), with_separators(front->step),
@@ -55,14 +56,17 @@ std::string format_clusters(const CrackClusters& cracks) {
     in_clusters += cluster.particles.size();
   }
   std::string text =
-      fmt::format("{} failed: {} in cracks from flaws, {} along faces of flaws, {} elsewhere\n",
+      fmt::format("{} failed: {} in cracks, {} along faces of flaws, {} elsewhere\n",
                   counted(in_clusters + cracks.outline + cracks.elsewhere), counted(in_clusters),
                   counted(cracks.outline), counted(cracks.elsewhere));
   if (cracks.first) {
     text += format_first(*cracks.first);
   }
   if (!cracks.clusters.empty()) {
-    text += "\nCracks: connected failed particles; mm, areas in mm2 (failed volume / cell size)\n";
+    text +=
+        "\nCracks: mm, farthest from the flaw or, without one, from the start; areas in mm2, "
+        "failed "
+        "volume / cell size\n";
     text += fmt::format(kLine, "crack", "flaws", "failed", "from step", "from", "farthest", "at",
                         "at step", "extent", "area");
   }

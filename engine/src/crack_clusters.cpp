@@ -74,21 +74,22 @@ class ClusterFinder {
             near ? failed.nearest_flaw : std::nullopt};
   }
 
-  /// What comes near no flaw is no crack of one; what never gets two cells from them is a step of
-  /// an oblique face that sticks out of the layer.
+  /// What never gets two cells from the flaws is a step of an oblique face that sticks out of the
+  /// layer.
   void add(const Group& group) {
     CrackCluster cluster;
     std::set<std::size_t> flaws;
-    bool gets_away = false;
     for (const std::size_t index : group) {
       cluster.particles.push_back(particle(index));
       if (cluster.particles.back().flaw) {
         flaws.insert(*cluster.particles.back().flaw);
-      } else {
-        gets_away = true;
       }
     }
-    if (flaws.empty() || !gets_away) {
+    if (flaws.empty()) {
+      measure_from_start(cluster);
+    }
+    const auto is_away = [&](const ClusterParticle& at) { return at.distance > two_cells_; };
+    if (std::none_of(cluster.particles.begin(), cluster.particles.end(), is_away)) {
       (flaws.empty() ? cracks_.elsewhere : cracks_.outline) += group.size();
       return;
     }
@@ -96,6 +97,13 @@ class ClusterFinder {
     cluster.name = fmt::format("crack {}", cracks_.clusters.size() + 1);
     add_events(cluster);
     cracks_.clusters.push_back(std::move(cluster));
+  }
+
+  static void measure_from_start(CrackCluster& cluster) {
+    const Vector start = cluster.particles.front().position;
+    for (ClusterParticle& particle : cluster.particles) {
+      particle.distance = (particle.position - start).norm();
+    }
   }
 
   /// A side is reached where the cell there is touched, whose nodes a platen would hold.

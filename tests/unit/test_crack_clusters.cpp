@@ -136,12 +136,18 @@ TEST_CASE("a crack between two holes belongs to both, at their middle to none") 
   ParticleTable table = intact(settings);
   const auto column = [](double from, double to) {
     return [from, to](const Vector& at) {
-      return std::abs(at.x()) < 0.5e-3 && std::abs(at.z()) < 0.5e-3 && at.y() > from && at.y() < to;
+      return std::abs(at.x()) < 0.3e-3 && std::abs(at.z()) < 0.3e-3 && at.y() > from && at.y() < to;
     };
   };
-  const auto step = [](const Vector&) { return 7; };
-  const std::size_t middle = fail(table, column(-1.2e-3, 1.2e-3), step);
-  CHECK(trace_clusters(settings, table).elsewhere == middle);
+  const auto step = [](const Vector& at) { return std::llround(100.0 + at.y() * 1e4); };
+  const std::size_t island = fail(table, column(-1.2e-3, -0.4e-3), step);
+  CHECK(trace_clusters(settings, table).elsewhere == island);
+  CHECK(trace_clusters(settings, table).clusters.empty());
+  fail(table, column(-1.2e-3, 1.2e-3), step);
+  const CrackClusters middle = trace_clusters(settings, table);
+  REQUIRE(middle.clusters.size() == 1);
+  CHECK(middle.clusters[0].flaws.empty());
+  CHECK(trace_extent(middle, middle.clusters[0]).back().distance == Approx(2.4e-3).margin(0.5e-3));
   fail(table, column(-3e-3, 3e-3), step);
   const CrackClusters cracks = trace_clusters(settings, table);
   REQUIRE(cracks.clusters.size() == 1);

@@ -12,21 +12,23 @@
 /// Cracks of three-dimensional cases. Lines that grow from tips, the wings of cracks.hpp, are not
 /// what a crack is in space: along the rim of a flaw there are no tips to tell cracks apart by.
 /// Here a crack is a cluster: failed particles that touch one another, none of them in the layer of
-/// one cell around a flaw, of which one lies within two cells of a flaw and one farther than two
-/// cells from all. Places are those of step 0.
+/// one cell around a flaw. It starts within two cells of a flaw and gets farther than two cells
+/// from all of them; or it comes near none, and gets two cells from its first particle. Places are
+/// those of step 0.
 namespace rgimp {
 
 /// A failed particle of a cluster.
 struct ClusterParticle {
   std::int64_t step = 0;             ///< at which it failed
   Vector position = Vector::Zero();  ///< m, at step 0
-  double distance = 0.0;             ///< m, from the nearest flaw's surface; infinite without flaws
-  std::optional<std::size_t> flaw;   ///< that one, where it is within two cells
+  /// m, from the nearest flaw's surface; in a cluster that comes near none, from its first particle
+  double distance = 0.0;
+  std::optional<std::size_t> flaw;  ///< that one, where it is within two cells
 };
 
 struct CrackCluster {
   std::string name;                        ///< "crack 1", ...: in the order of their first failures
-  std::vector<std::size_t> flaws;          ///< that it comes within two cells of, rising
+  std::vector<std::size_t> flaws;          ///< that it comes within two cells of, rising; or none
   std::vector<ClusterParticle> particles;  ///< in the order of `step`
 };
 
@@ -36,8 +38,8 @@ struct ClusterExtent {
   std::size_t failed = 0;
   Vector min = Vector::Zero();       ///< m, of the failed particles' centres
   Vector max = Vector::Zero();       ///< m
-  Vector farthest = Vector::Zero();  ///< m, the place farthest from the flaws
-  double distance = 0.0;             ///< m, of that place from the nearest flaw's surface
+  Vector farthest = Vector::Zero();  ///< m, the place of the largest ClusterParticle::distance
+  double distance = 0.0;             ///< m, that distance
   /// m2, volume that failed / cell size. The bands that fail are about a cell wide, wider where a
   /// crack is oblique to the grid, and this is then too large.
   double area = 0.0;
@@ -52,11 +54,12 @@ struct ClusterEvent {
 };
 
 struct CrackClusters {
-  std::optional<ClusterParticle> first;  ///< of all particles, in a cluster or not
+  /// Of all particles, in a cluster or not; its distance is infinite in a case without flaws.
+  std::optional<ClusterParticle> first;
   std::vector<CrackCluster> clusters;
   std::vector<ClusterEvent> events;  ///< in order of step
   std::size_t outline = 0;           ///< failed along faces of flaws, in no cluster
-  std::size_t elsewhere = 0;         ///< failed, in clusters that come near no flaw
+  std::size_t elsewhere = 0;         ///< failed, in no cluster, near no flaw
   double area_of_particle = 0.0;     ///< m2, volume of a particle / cell size
 };
 
@@ -64,8 +67,8 @@ struct CrackClusters {
 /// not three dimensions, or the particles are not those of the case.
 CrackClusters trace_clusters(const Case& settings, const ParticleTable& particles);
 
-/// The cluster's extent over the steps: an entry each time that it got farther from the flaws, and
-/// one for all of it. Of particles that have failed by then, also of those that the crack came to
+/// The cluster's extent over the steps: an entry each time that it got farther, and one for all of
+/// it. Of particles that have failed by then, also of those that the crack came to
 /// only later.
 std::vector<ClusterExtent> trace_extent(const CrackClusters& cracks, const CrackCluster& cluster);
 
