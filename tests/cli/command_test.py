@@ -37,6 +37,8 @@ snapshot_steps = [30]
 STEPS = 250
 
 class CommandTest(unittest.TestCase):
+    timeout = 120  # s, of one command
+
     def setUp(self):
         place = tempfile.TemporaryDirectory(prefix="rgimp_command_")
         self.addCleanup(place.cleanup)
@@ -48,7 +50,7 @@ class CommandTest(unittest.TestCase):
         """Runs the command in the test's directory."""
         return subprocess.run(
             [COMMAND, *map(str, arguments)], cwd=self.place, capture_output=True, text=True,
-            timeout=120, check=False, env=os.environ | environment, pass_fds=pass_fds)
+            timeout=self.timeout, check=False, env=os.environ | environment, pass_fds=pass_fds)
 
     def rgimp(self, *arguments, code=DONE, **environment):
         """Runs the command in the test's directory and checks its exit code."""

@@ -133,7 +133,7 @@ class Space:
         shaded = colours[owners] * BRIGHTNESS[normals][:, None]
         # An edge of the same colour: else rounding to pixels leaves white specks.
         axes.add_collection(PolyCollection(places, facecolor=shaded, edgecolor=shaded,
-                                           linewidth=0.1), autolim=False)
+                                           linewidth=0.1, zorder=1), autolim=False)
         for outline in self.bodies:
             add_outline(axes, camera, outline, OUTLINE, seen=True)
         self.add_axes_names(axes, camera)
@@ -171,8 +171,8 @@ def add_outline(axes, camera, outline, colour, seen=None, width=0.8):
     in_view = (outline.normals @ camera.towards > 1e-9).any(axis=1)
     if seen is not None:
         edges = edges[in_view == seen]
-    axes.add_collection(LineCollection(camera.project(edges), colors=colour, linewidths=width),
-                        autolim=False)
+    axes.add_collection(LineCollection(camera.project(edges), colors=colour, linewidths=width,
+                                       zorder=0 if seen is False else 2), autolim=False)
     if seen is False:
         return
     angles = np.linspace(0, 2 * np.pi, shapes.AROUND + 1)
