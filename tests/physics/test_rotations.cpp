@@ -8,6 +8,7 @@
 #include "geometry.hpp"
 #include "models.hpp"
 #include "platen_geometry.hpp"
+#include "state_hash.hpp"
 
 // A case turned by 90 degrees about an axis gives the same result turned. Not the same bits: sums
 // over nodes run along x first, and the grid begins with a wider margin there.
@@ -104,16 +105,6 @@ Vector velocity_of(const Particles<3>& p, std::size_t i) {
   return {p.velocity[0][i], p.velocity[1][i], p.velocity[2][i]};
 }
 
-std::vector<std::size_t> lanes_of(const Particles<3>& p) {
-  std::vector<std::size_t> lanes(p.count);
-  for (std::size_t i = 0; i < p.lanes(); ++i) {
-    if (!p.is_padding(i)) {
-      lanes[p.id[i]] = i;
-    }
-  }
-  return lanes;
-}
-
 /// Largest differences from the turned model turned back, relative to the largest value.
 struct Apart {
   double velocity;
@@ -125,8 +116,8 @@ Apart compare(ModelIn<3>& upright, ModelIn<3>& lying, const Matrix3d& turn) {
   const Particles<3>& a = upright.solver.particles();
   const Particles<3>& b = lying.solver.particles();
   const std::vector<std::size_t> ids = counterparts(upright.settings, turn);
-  const std::vector<std::size_t> lanes_a = lanes_of(a);
-  const std::vector<std::size_t> lanes_b = lanes_of(b);
+  const std::vector<std::size_t> lanes_a = lanes_by_id(a);
+  const std::vector<std::size_t> lanes_b = lanes_by_id(b);
   double speed = 0.0;
   double stress = 0.0;
   Apart apart{};

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "models.hpp"
+#include "state_hash.hpp"
 
 // A slab between front and back platens that stand still and let slip is in plane strain.
 namespace rgimp::tests {
@@ -25,21 +26,11 @@ struct Apart {
   std::int64_t modes = 0;     // particles of another mode
 };
 
-std::vector<std::size_t> lanes_of(const auto& particles) {
-  std::vector<std::size_t> lanes(particles.count);
-  for (std::size_t i = 0; i < particles.lanes(); ++i) {
-    if (!particles.is_padding(i)) {
-      lanes[particles.id[i]] = i;
-    }
-  }
-  return lanes;
-}
-
 Apart compare(Model& plane, ModelIn<3>& slab) {
   const Particles<2>& a = plane.solver.particles();
   const Particles<3>& b = slab.solver.particles();
-  const std::vector<std::size_t> in_plane = lanes_of(a);
-  const std::vector<std::size_t> in_slab = lanes_of(b);
+  const std::vector<std::size_t> in_plane = lanes_by_id(a);
+  const std::vector<std::size_t> in_slab = lanes_by_id(b);
   REQUIRE(b.count % a.count == 0);
   Apart apart;
   double largest_velocity = 0.0;
