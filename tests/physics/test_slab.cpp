@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -94,6 +95,27 @@ TEST_CASE("a cracking slab in plane strain is the plane to round-off") {
     REQUIRE(row.strain_energy / depth == Approx(expected.strain_energy).epsilon(1e-9));
     REQUIRE(row.released_energy / depth == Approx(expected.released_energy).epsilon(1e-7));
   }
+}
+
+// The band of a softening point is as wide in space as in the plane.
+TEST_CASE("a softening slab in plane strain is the plane to round-off") {
+  Case settings = softening_block();
+  settings.local_damping = 0.0;
+  Model plane(settings, 2);
+  ModelIn<3> slab(slab_of(settings, 1), 2);
+  plane.steps(1000);
+  slab.steps(1000);
+  const Apart apart = compare(plane, slab);
+  INFO("velocity " << apart.velocity << ", stress " << apart.stress);
+  const Particles<2>& p = plane.solver.particles();
+  REQUIRE(std::count(p.failure_mode.begin(), p.failure_mode.end(), kernels::kSofteningInTension) >
+          20);
+  REQUIRE(plane.solver.history().failed_tension > 20);
+  REQUIRE(apart.modes == 0);
+  REQUIRE(apart.velocity < 1e-8);
+  REQUIRE(apart.stress < 1e-9);
+  REQUIRE(slab.solver.history().released_energy / settings.grid.cell_size ==
+          Approx(plane.solver.history().released_energy).epsilon(1e-9));
 }
 
 // Contacts of a half width are strips along z.

@@ -8,7 +8,7 @@ from .. import goodier
 
 def draw_hole(path, profiles, ratio):
     """Stress along the load at the equator over the distance from a hole, by resolution:
-    `profiles` is cells of a radius -> (distance over radius, stress over the mean one)."""
+    `profiles` is cells of a radius -> (distance over radius, stress over the remote one)."""
     figure = Figure(figsize=(7.0, 4.0), layout="constrained")
     axes = figure.subplots()
     for cells, (distance, stress) in profiles.items():
