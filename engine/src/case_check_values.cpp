@@ -65,7 +65,7 @@ void check_cell(const ValueChecker& check, const std::string& key, double cell, 
 
 /// A band of larger cells holds more elastic energy than it is to take.
 void check_fracture_energies(const ValueChecker& check, const std::string& path,
-                             const Material& material, double cell) {
+                             const Material& material, const Case& settings) {
   const Failure& failure = *material.failure;
   const auto read = keys_of(fracture_energies_of(failure.criterion));
   for (const FailureKey& energy : fracture_energies_of(Criterion::mohr_coulomb)) {
@@ -76,9 +76,12 @@ void check_fracture_energies(const ValueChecker& check, const std::string& path,
       check.refuse(key, fmt::format("not read by criterion \"{}\"", name_of(failure.criterion)));
     }
   }
-  const LargestCell largest = largest_cell(material);
+  const double cell = settings.grid.cell_size;
+  const LargestCell largest = largest_cell(material, settings.dimension);
   check_cell(check, path + ".fracture_energy", cell, largest.tension,
-             "sqrt(2) (lambda + 2 mu) fracture_energy / tensile_strength^2");
+             settings.dimension == 2
+                 ? "sqrt(2) (lambda + 2 mu) fracture_energy / tensile_strength^2"
+                 : "2 / sqrt(3) (lambda + 2 mu) fracture_energy / tensile_strength^2");
   check_cell(check, path + ".shear_fracture_energy", cell, largest.shear,
              "2 mu shear_fracture_energy / shear strength^2");
 }
@@ -160,7 +163,7 @@ void check_materials(const Case& settings) {
     }
     if (material.failure) {
       check_failure(check, path + ".failure", *material.failure);
-      check_fracture_energies(check, path + ".failure", material, settings.grid.cell_size);
+      check_fracture_energies(check, path + ".failure", material, settings);
     }
   }
 }

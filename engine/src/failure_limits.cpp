@@ -56,16 +56,22 @@ double largest_band(double strength, double modulus, double fracture_energy) {
   return fracture_energy > 0.0 ? 2.0 * modulus * fracture_energy / (strength * strength) : kNever;
 }
 
-kernels::Softening softening_of(const Material& material, double cell) {
-  const LargestCell largest = largest_cell(material);
-  return {.tension =
-              std::isfinite(largest.tension) ? cell / (std::numbers::sqrt2 * largest.tension) : 1.0,
+/// A cell's diagonal over its edge.
+double diagonal(int dimension) {
+  return std::sqrt(static_cast<double>(dimension));
+}
+
+kernels::Softening softening_of(const Material& material, const Case& settings) {
+  const double cell = settings.grid.cell_size;
+  const LargestCell largest = largest_cell(material, settings.dimension);
+  const double widest = diagonal(settings.dimension);
+  return {.tension = std::isfinite(largest.tension) ? cell / (widest * largest.tension) : 1.0,
           .shear = std::isfinite(largest.shear) ? cell / largest.shear : 1.0};
 }
 
 }  // namespace
 
-LargestCell largest_cell(const Material& material) {
+LargestCell largest_cell(const Material& material, int dimension) {
   if (!material.failure) {
     return {kNever, kNever};
   }
@@ -75,7 +81,7 @@ LargestCell largest_cell(const Material& material) {
       failure.criterion == Criterion::mohr_coulomb ? failure.cohesion : failure.shear_strength;
   return {.tension =
               largest_band(failure.tensile_strength, oedometric_modulus, failure.fracture_energy) /
-              std::numbers::sqrt2,
+              diagonal(dimension),
           .shear =
               largest_band(shear_strength, shear_modulus(material), failure.shear_fracture_energy)};
 }
@@ -123,7 +129,7 @@ kernels::MaterialConstants material_constants(const Material& material, const Ca
   constants.energy_of_square = 0.5 * (1.0 + ratio) / modulus;
   constants.energy_of_trace = 0.5 * ratio / modulus;
   constants.limits = failure_limits(material);
-  constants.softening = softening_of(material, cell);
+  constants.softening = softening_of(material, settings);
   constants.softens = constants.softening.tension < 1.0 || constants.softening.shear < 1.0;
   if (material.failure) {
     set_failed_pressure(*material.failure, constants);

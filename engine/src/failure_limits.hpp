@@ -20,10 +20,11 @@ kernels::FailureLimits failure_limits(const Material& material);
 /// The cell at which a particle softens no longer but fails at once, m: there the elastic energy
 /// of a band of cells is all of the fracture energy. Infinite without one.
 struct LargestCell {
-  double tension;  ///< sqrt(2) (lambda + 2 mu) G_f / sigma_t^2, of a band along a cell's diagonal
-  double shear;    ///< 2 mu G_II / c^2
+  /// 2 (lambda + 2 mu) G_f / sigma_t^2 over the root of the dimension: of a band along a diagonal
+  double tension;
+  double shear;  ///< 2 mu G_II / c^2
 };
-LargestCell largest_cell(const Material& material);
+LargestCell largest_cell(const Material& material, int dimension);
 
 /// Everything a kernel needs of a material. The cell size enters the bulk viscosity
 /// q = rho (c0 L^2 (tr D)^2 + c1 L c |tr D|) (Zhang, Chen & Liu, The material point method, 2017).

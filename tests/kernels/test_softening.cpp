@@ -233,6 +233,18 @@ TEMPLATE_TEST_CASE_SIG("tension without an energy of its own fails at once, alon
   });
 }
 
+TEMPLATE_TEST_CASE_SIG("the widest band of the largest cell fails at once", "", ((int Dim), Dim), 2,
+                       3) {
+  Case settings;
+  settings.dimension = Dim;
+  settings.grid.cell_size = largest_cell(softening_rock(), Dim).tension;
+  const double widest = std::sqrt(static_cast<double>(Dim));
+  const kernels::MaterialConstants constants = material_constants(softening_rock(), settings);
+  REQUIRE(widest * constants.softening.tension == Approx(1.0).epsilon(1e-14));
+  const double expected = 2.0 * kModulus / (kStrength * kStrength * settings.grid.cell_size);
+  REQUIRE(widest == Approx(expected).epsilon(1e-14));
+}
+
 TEMPLATE_TEST_CASE_SIG("a softening point keeps the mode of its onset", "", ((int Dim), Dim), 2,
                        3) {
   on_each_isa([](Isa isa) {
