@@ -178,7 +178,10 @@ class FailureLog {
     const Stress<Dim>& s = trial.stress;
     Batch now = trial.mode;
     // Most batches that come here only hold what failed long ago.
-    const Mask in_question = trial.may_fail & (trial.mode == Batch(kIntact));
+    Mask in_question = trial.may_fail & (trial.mode == Batch(kIntact));
+    if (xsimd::any(in_question)) {
+      in_question = still_may_fail(s, material.limits, in_question);
+    }
     if (xsimd::any(in_question)) {
       now = xsimd::select(in_question, failure_mode(s, material.limits), trial.mode);
       note_new(particles, index, trial.mode, now);
