@@ -61,7 +61,7 @@ class Slices:
         position = self.first.position * 1e3
         self.low, self.high = position.min(axis=0) - self.size / 2, \
             position.max(axis=0) + self.size / 2
-        middle = np.round((self.low + self.high) / 2, 6)
+        middle = np.round((self.low + self.high) / 2, 6) + 0.0  # never -0
         self.at = middle if planes is None else np.array(planes)
         for axis, name in enumerate(NAMES):
             if not self.low[axis] <= self.at[axis] <= self.high[axis]:
