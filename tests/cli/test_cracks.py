@@ -13,6 +13,17 @@ length = 2e-3
 width = 1e-3
 """
 
+IN_SPACE = CASE.replace("dimension = 2", "dimension = 3").replace(
+    "center = [0.0, 0.0]", "center = [0.0, 0.0, 0.0]").replace(
+    "size = [5e-3, 10e-3]", "size = [5e-3, 10e-3, 5e-3]") + """
+[[flaw]]
+shape = "penny"
+center = [0.0, 0.0, 0.0]
+length = 3e-3
+width = 1e-3
+normal = [0.0, 1.0, 0.0]
+"""
+
 
 class CracksTest(CommandTest):
     def setUp(self):
@@ -41,6 +52,26 @@ class CracksTest(CommandTest):
         self.assertIn("0 failed", text)
         self.assertIn("no crack", text)
         self.assertNotIn("0 failed", self.rgimp("cracks", "block", "--step", first).stdout)
+
+    def test_three_dimensions(self):
+        self.case.write_text(IN_SPACE, encoding="utf-8")
+        self.rgimp("run", self.case, "-o", "space", "--quiet")
+        text = self.rgimp("cracks", "space", "--json", "cracks.json").stdout
+        cracks = json.loads((self.place / "cracks.json").read_text(encoding="utf-8"))
+        failed = self.summary("space")["failed_tension"] + self.summary("space")["failed_shear"]
+        self.assertEqual(cracks["failed"], failed)
+        self.assertEqual(failed, cracks["outline"] + cracks["elsewhere"]
+                         + sum(crack["failed"] for crack in cracks["cracks"]))
+        first = self.summary("space")["first_failure"]
+        self.assertEqual(cracks["first_failure"]["step"], first["step"])
+        self.assertIn(f"First failure: step {first['step']} at ", text)
+        self.assertIn("near no flaw", text)  # the first wave breaks the block at the platen
+        self.assertEqual([crack["flaws"] for crack in cracks["cracks"]], [[]])
+        for event in cracks["events"]:
+            self.assertIn(event["event"], text)
+        before = self.rgimp("cracks", "space", "--step", first["step"] - 1).stdout
+        self.assertTrue(before.startswith("0 failed"))
+        self.assertNotIn("First failure", before)
 
     def test_wrong_requests(self):
         self.fail_with(WRONG_REQUEST, "cracks", "nowhere", says=["nowhere", "rgimp run"])
