@@ -123,7 +123,8 @@ class RunTest(CommandTest):
 
     def test_check_of_a_case_too_fast_to_step_says_what_it_is_first(self):
         result = self.fail_with(PHYSICS_STOPPED, "check", self.case,
-                                "--set", "body[0].velocity=[6000.0, 0.0]", "--set", "platen=[]")
+                                "--set", "body[0].velocity=[6000.0, 0.0]",
+                                "--set", "platen[0].speed=-1e6")
         for word in (f"particles       {PARTICLES}", "nodes", "0.3292 of the critical step",
                      "memory"):
             self.assertIn(word, result.stdout)
