@@ -27,8 +27,6 @@ struct ModelIn {
 };
 using Model = ModelIn<2>;
 
-using Model = ModelIn<2>;
-
 inline Material rock() {
   return {.density = 2600.0, .youngs_modulus = 17e9, .poisson_ratio = 0.14, .failure = {}};
 }

@@ -12,18 +12,28 @@ namespace {
 
 constexpr double kCell = 0.5e-3;
 
+template <int Dim>
 GridExtent extent() {
+  if (Dim == 3) {
+    return {Vector(-1e-3, 2e-3, -3e-3), Vector::Constant(kCell), {21, 13, 9}};
+  }
   return {Vector(-1e-3, 2e-3, 0.0), Vector::Constant(kCell), {40, 30, 1}};
 }
 
+/// All over the grid but for its outermost cells.
+template <int Dim>
 std::vector<ParticleSeed> random_seeds(std::size_t count) {
+  const GridExtent grid = extent<Dim>();
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   std::vector<ParticleSeed> seeds;
   for (std::size_t i = 0; i < count; ++i) {
     ParticleSeed seed;
-    seed.position =
-        extent().origin + kCell * Vector(1.0 + 37.0 * unit(random), 1.0 + 27.0 * unit(random), 0.0);
+    seed.position = grid.origin;
+    for (int a = 0; a < Dim; ++a) {
+      const double cells = static_cast<double>(grid.nodes[static_cast<std::size_t>(a)] - 1);
+      seed.position[a] += kCell * (1.0 + (cells - 2.0) * unit(random));
+    }
     seed.volume = 1e-8 * (1.0 + unit(random));
     seed.mass = 2600.0 * seed.volume;
     seed.material = unit(random) < 0.3 ? 1 : 0;
@@ -43,11 +53,13 @@ std::vector<std::uint8_t> materials_of(const std::vector<ParticleSeed>& seeds) {
 
 }  // namespace
 
-TEST_CASE("binning puts each particle, with all it carries, in a lane of its nearest node") {
-  const std::vector<ParticleSeed> seeds = random_seeds(3000);
-  const Grid<2> grid(extent(), 2, 0.0);
+TEMPLATE_TEST_CASE_SIG(
+    "binning puts each particle, with all it carries, in a lane of its nearest node", "",
+    ((int Dim), Dim), 2, 3) {
+  const std::vector<ParticleSeed> seeds = random_seeds<Dim>(3000);
+  const Grid<Dim> grid(extent<Dim>(), 2, 0.0);
   Workers workers(2);
-  Particles<2> particles = particles_from<2>(seeds);
+  Particles<Dim> particles = particles_from<Dim>(seeds);
   REQUIRE(bin_particles(particles, materials_of(seeds), grid, workers).empty());
 
   std::set<std::uint32_t> ids;
@@ -57,8 +69,10 @@ TEST_CASE("binning puts each particle, with all it carries, in a lane of its nea
       for (std::size_t lane = 0; lane < 8; ++lane) {
         const std::size_t i = slot * 8 + lane;
         const Vector node = grid.position(static_cast<std::ptrdiff_t>(group * 8 + lane));
-        const double away = std::max(std::abs(particles.position[0][i] - node.x()),
-                                     std::abs(particles.position[1][i] - node.y()));
+        double away = 0.0;
+        for (int a = 0; a < Dim; ++a) {
+          away = std::max(away, std::abs(particles.position[a][i] - node[a]));
+        }
         if (particles.is_padding(i)) {
           REQUIRE(away == 0.0);
           REQUIRE(particles.mass[i] == 0.0);
@@ -67,7 +81,9 @@ TEST_CASE("binning puts each particle, with all it carries, in a lane of its nea
         }
         const ParticleSeed& seed = seeds[particles.id[i]];
         REQUIRE(ids.insert(particles.id[i]).second);
-        REQUIRE(particles.position[0][i] == seed.position.x());
+        for (int a = 0; a < Dim; ++a) {
+          REQUIRE(particles.position[a][i] == seed.position[a]);
+        }
         REQUIRE(particles.volume[i] == seed.volume);
         REQUIRE(particles.failure_step[i] == -1);
         REQUIRE(particles.slot_material[slot] == seed.material);
@@ -78,26 +94,28 @@ TEST_CASE("binning puts each particle, with all it carries, in a lane of its nea
   REQUIRE(ids.size() == seeds.size());
 }
 
-TEST_CASE("binning again changes nothing, and keeps the order within a bin") {
-  const std::vector<ParticleSeed> seeds = random_seeds(2000);
-  const Grid<2> grid(extent(), 2, 0.0);
+TEMPLATE_TEST_CASE_SIG("binning again changes nothing, and keeps the order within a bin", "",
+                       ((int Dim), Dim), 2, 3) {
+  const std::vector<ParticleSeed> seeds = random_seeds<Dim>(2000);
+  const Grid<Dim> grid(extent<Dim>(), 2, 0.0);
   Workers workers(2);
-  Particles<2> particles = particles_from<2>(seeds);
+  Particles<Dim> particles = particles_from<Dim>(seeds);
   REQUIRE(bin_particles(particles, materials_of(seeds), grid, workers).empty());
   const Column<std::uint32_t> once = particles.id;
   REQUIRE(bin_particles(particles, materials_of(seeds), grid, workers).empty());
   REQUIRE(particles.id == once);
 }
 
-TEST_CASE("a particle out of the grid, or nowhere, is named and nothing is moved") {
+TEMPLATE_TEST_CASE_SIG("a particle out of the grid, or nowhere, is named and nothing is moved", "",
+                       ((int Dim), Dim), 2, 3) {
   const WithoutTraps none;
   for (const double x : {-1e-3, 1.0, std::numeric_limits<double>::quiet_NaN(), 1e300}) {
-    std::vector<ParticleSeed> seeds = random_seeds(20);
+    std::vector<ParticleSeed> seeds = random_seeds<Dim>(20);
     seeds[7].position.x() = x;
-    seeds[11].position.y() = 1.0;
-    const Grid<2> grid(extent(), 2, 0.0);
+    seeds[11].position[Dim - 1] = 1.0;
+    const Grid<Dim> grid(extent<Dim>(), 2, 0.0);
     Workers workers(1);
-    Particles<2> particles = particles_from<2>(seeds);
+    Particles<Dim> particles = particles_from<Dim>(seeds);
     const Column<std::uint32_t> before = particles.id;
     REQUIRE(bin_particles(particles, materials_of(seeds), grid, workers) ==
             std::vector<std::size_t>{7, 11});

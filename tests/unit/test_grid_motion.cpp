@@ -39,6 +39,25 @@ TEST_CASE("the rows on the ends stay on two platens, with a grid that the case p
   }
 }
 
+TEST_CASE("in space the grid follows the platens of every axis by itself") {
+  Case settings = free_block_in_space(Vector(5.0, 10.0, 4.0));
+  for (const auto& [side, speed] :
+       {std::pair(Side::left, 0.1), std::pair(Side::right, 0.2), std::pair(Side::top, 0.5),
+        std::pair(Side::back, -0.3), std::pair(Side::front, 0.4)}) {
+    settings.platens.push_back(holding(side));
+    settings.platens.back().speed = speed;
+  }
+  const GridExtent start = grid_extent(settings);
+  const GridExtent later = GridMotion(settings, start).at(1e-4);
+  CHECK(node(later, 0, 8.0) == Approx(-2.5e-3 + 0.1 * 1e-4).epsilon(1e-13));
+  CHECK(node(later, 0, 18.0) == Approx(2.5e-3 - 0.2 * 1e-4).epsilon(1e-13));
+  CHECK(later.spacing.y() == start.spacing.y());  // a platen on one end alone
+  CHECK(node(later, 1, 25.0) == Approx(5e-3 - 0.5 * 1e-4).epsilon(1e-13));
+  CHECK(node(later, 2, 5.0) == Approx(-2e-3 - 0.3 * 1e-4).epsilon(1e-13));
+  CHECK(node(later, 2, 13.0) == Approx(2e-3 - 0.4 * 1e-4).epsilon(1e-13));
+  CHECK(later.nodes == start.nodes);
+}
+
 TEST_CASE("with a platen on one end the grid moves along, and its spacing stays") {
   Case settings = between(0.5, 0.0);
   settings.platens.pop_back();

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "ledger.hpp"
 #include "models.hpp"
@@ -54,6 +55,49 @@ TEST_CASE("a step's works add up over rows and steps, reactions over rows alone"
   CHECK(ledger.axial_stress() == Approx(4.0 / 2e-3));
   CHECK(ledger.peak_axial_stress() == Approx(6.0 / 2e-3));
   CHECK(ledger.closure(2.0) == Approx(0.8));
+}
+
+namespace {
+
+/// Pa, where the two platens across the load's axis report 1 N each.
+double stress_of_one_newton(Case settings, Side low, Side high) {
+  settings.platens = {platen_on(low, 0.0), platen_on(high, 0.1)};
+  Ledger ledger(settings, 1);
+  ledger.platens()[0].reaction = {1.0, 1.0};
+  ledger.add_nodes();
+  return ledger.axial_stress();
+}
+
+/// 8 mm thick, 12 mm long.
+Body cylinder_along(const Vector& axis) {
+  Body body;
+  body.shape = BodyShape::cylinder;
+  body.size = Vector(8e-3, 12e-3, 0.0);
+  body.axis = axis;
+  body.material = "rock";
+  return body;
+}
+
+}  // namespace
+
+TEST_CASE("in space the axial stress is over the bounding rectangle across the load") {
+  const Case settings = free_block_in_space(Vector(2.0, 3.0, 5.0));
+  CHECK(stress_of_one_newton(settings, Side::left, Side::right) == Approx(1.0 / 15e-6));
+  CHECK(stress_of_one_newton(settings, Side::bottom, Side::top) == Approx(1.0 / 10e-6));
+  CHECK(stress_of_one_newton(settings, Side::back, Side::front) == Approx(1.0 / 6e-6));
+}
+
+TEST_CASE(
+    "the axial stress of one core loaded along its axis, and of it alone, is over its circle") {
+  Case settings = free_block_in_space(Vector(2.0, 3.0, 5.0));
+  const double circle = 1.0 / (4e-3 * 4e-3 * std::numbers::pi);
+  settings.bodies = {cylinder_along(Vector(0.0, -3.0, 0.0))};  // of any length, either way
+  CHECK(stress_of_one_newton(settings, Side::bottom, Side::top) == Approx(circle));
+  CHECK(stress_of_one_newton(settings, Side::back, Side::front) == Approx(1.0 / 96e-6));
+  settings.bodies = {cylinder_along(Vector(0.0, 0.0, 1.0))};
+  CHECK(stress_of_one_newton(settings, Side::back, Side::front) == Approx(circle));
+  settings.bodies.push_back(settings.bodies.front());
+  CHECK(stress_of_one_newton(settings, Side::back, Side::front) == Approx(1.0 / 64e-6));
 }
 
 TEST_CASE("the fastest sound of all bodies decides on the time step, whatever their order") {

@@ -17,8 +17,9 @@ Platen platen_on(Side side, double speed, Lateral lateral = Lateral::slip) {
 }
 
 /// A block whose centre is not the origin, its grid, and platens at a time past every ramp.
-struct Held {
-  explicit Held(const std::vector<Platen>& platens)
+template <int Dim>
+struct HeldIn {
+  explicit HeldIn(const std::vector<Platen>& platens)
       : settings(case_with(platens)),
         grid(grid_extent(settings), 2, 0.7),
         held(settings, grid),
@@ -27,18 +28,19 @@ struct Held {
   }
 
   static Case case_with(const std::vector<Platen>& platens) {
-    Case settings = free_block(5.0, 4.0);
-    settings.bodies.front().center = Vector(3e-3, -1e-3, 0.0);
+    Case settings = Dim == 2 ? free_block(5.0, 4.0) : free_block_in_space(Vector(5.0, 4.0, 3.0));
+    settings.bodies.front().center = Vector(3e-3, -1e-3, Dim == 2 ? 0.0 : 2e-3);
     settings.platens = platens;
     return settings;
   }
 
-  std::ptrdiff_t node_at(double x_mm, double y_mm) const {
+  std::ptrdiff_t node_at(double x_mm, double y_mm, double z_mm = 0.0) const {
     const GridExtent& extent = grid.extent();
-    const auto index = [&](int axis, double x) {
-      return std::lround((x - extent.origin[axis]) / extent.spacing[axis]);
+    const auto index = [&](int axis, double mm) {
+      return std::lround((1e-3 * mm - extent.origin[axis]) / extent.spacing[axis]);
     };
-    return index(1, 1e-3 * y_mm) * grid.row_stride() + index(0, 1e-3 * x_mm);
+    const std::ptrdiff_t row = index(2, z_mm) * extent.nodes[1] + index(1, y_mm);
+    return row * grid.row_stride() + index(0, x_mm);
   }
 
   /// Whether a component of a node's velocity is prescribed.
@@ -49,10 +51,11 @@ struct Held {
   }
 
   Case settings;
-  Grid<2> grid;
-  Platens<2> held;
-  kernels::GridView<2> view;
+  Grid<Dim> grid;
+  Platens<Dim> held;
+  kernels::GridView<Dim> view;
 };
+using Held = HeldIn<2>;
 
 }  // namespace
 
@@ -113,6 +116,78 @@ TEST_CASE("a strip is as wide as told about the specimen's middle, its edges inc
   CHECK_FALSE(block.is_held(1, block.node_at(3.0, 0.5)));  // the row below the end
   CHECK(block.is_held(1, block.node_at(3.0, 1.5)));        // and all beyond it
   CHECK_FALSE(block.is_held(0, block.node_at(3.0, 1.0)));  // slips
+}
+
+TEST_CASE("in space each of the six sides holds its end of the block and what is beyond") {
+  struct End {
+    Side side;
+    int axis;
+    Vector at;  // mm, the middle of the end
+    Vector inwards;
+  };
+  const End ends[] = {{Side::left, 0, {0.5, -1.0, 2.0}, Vector::UnitX()},
+                      {Side::right, 0, {5.5, -1.0, 2.0}, -Vector::UnitX()},
+                      {Side::bottom, 1, {3.0, -3.0, 2.0}, Vector::UnitY()},
+                      {Side::top, 1, {3.0, 1.0, 2.0}, -Vector::UnitY()},
+                      {Side::back, 2, {3.0, -1.0, 0.5}, Vector::UnitZ()},
+                      {Side::front, 2, {3.0, -1.0, 3.5}, -Vector::UnitZ()}};
+  for (const End& end : ends) {
+    INFO("side " << static_cast<int>(end.side));
+    HeldIn<3> block({platen_on(end.side, 0.25)});
+    const auto node = [&](double cells_inwards) {
+      const Vector at = end.at + 0.5 * cells_inwards * end.inwards;
+      return block.node_at(at.x(), at.y(), at.z());
+    };
+    for (int a = 0; a < 3; ++a) {
+      CHECK(block.is_held(a, node(0.0)) == (a == end.axis));
+      CHECK(block.is_held(a, node(-1.0)) == (a == end.axis));
+      CHECK_FALSE(block.is_held(a, node(1.0)));
+    }
+    CHECK(block.view.second_field[end.axis][node(0.0)] == 0.25 * end.inwards[end.axis]);
+    CHECK(block.view.damping[node(0.0)] == 0.0);
+    CHECK(block.view.damping[node(1.0)] == 0.7);
+  }
+}
+
+TEST_CASE("in space a strip runs through along the third axis, across x, or y for left and right") {
+  std::vector<Platen> platens = {platen_on(Side::top, 0.5), platen_on(Side::right, 0.5),
+                                 platen_on(Side::front, 0.5)};
+  for (Platen& platen : platens) {
+    platen.half_width = 1e-3;
+  }
+  HeldIn<3> block(platens);
+  for (const double z : {0.5, 2.0, 3.5}) {
+    CHECK(block.is_held(1, block.node_at(4.0, 1.0, z)));
+    CHECK_FALSE(block.is_held(1, block.node_at(4.5, 1.0, z)));
+    CHECK(block.is_held(0, block.node_at(5.5, 0.0, z)));
+    CHECK_FALSE(block.is_held(0, block.node_at(5.5, 0.5, z)));
+  }
+  for (const double y : {-3.0, 1.0}) {
+    CHECK(block.is_held(2, block.node_at(2.0, y, 3.5)));
+    CHECK_FALSE(block.is_held(2, block.node_at(1.5, y, 3.5)));
+  }
+}
+
+TEST_CASE("where three platens that stick meet, each wins along its own axis") {
+  HeldIn<3> block({platen_on(Side::top, 0.5, Lateral::stick),
+                   platen_on(Side::left, 0.25, Lateral::stick),
+                   platen_on(Side::front, 0.125, Lateral::stick)});
+  const std::ptrdiff_t corner = block.node_at(0.5, 1.0, 3.5);
+  const double expected[3] = {0.25, -0.5, -0.125};
+  for (int a = 0; a < 3; ++a) {
+    CHECK(block.is_held(a, corner));
+    CHECK(block.view.second_field[a][corner] == expected[a]);
+  }
+  const std::ptrdiff_t edge = block.node_at(0.5, 1.0, 2.0);
+  CHECK(block.is_held(2, edge));
+  CHECK(block.view.second_field[2][edge] == 0.0);
+}
+
+TEST_CASE("in space only nodes on the axis of the load are without damping") {
+  HeldIn<3> block({platen_on(Side::top, 0.5), platen_on(Side::front, 0.0)});
+  CHECK(block.view.damping[block.node_at(3.0, 1.0, 2.0)] == 0.0);
+  CHECK(block.view.damping[block.node_at(3.0, 1.0, 3.5)] == 0.0);
+  CHECK(block.view.damping[block.node_at(3.0, -1.0, 3.5)] == 0.7);
 }
 
 TEST_CASE("reaction and work are those of the force that a prescribed velocity takes") {
