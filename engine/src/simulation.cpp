@@ -69,6 +69,9 @@ FailureMode failure_mode(double mode) {
 template <int Dim>
 ParticleTable table_of(const Particles<Dim>& p) {
   ParticleTable table;
+  const auto reserve = [&](auto&... columns) { (columns.reserve(p.count), ...); };
+  reserve(table.id, table.position, table.velocity, table.stress, table.max_principal_stress,
+          table.failed, table.damage, table.failure_step);
   for (const std::size_t i : lanes_by_id(p)) {
     std::array<double, 3> position{};
     std::array<double, 3> velocity{};
