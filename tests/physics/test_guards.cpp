@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
-#include <functional>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "floating_point_traps.hpp"
 #include "models.hpp"
@@ -17,7 +17,8 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t kParticle = 37;
 
-std::size_t lane_of(const Particles<2>& particles, std::uint32_t id) {
+template <int Dim>
+std::size_t lane_of(const Particles<Dim>& particles, std::uint32_t id) {
   for (std::size_t lane = 0; lane < particles.lanes(); ++lane) {
     if (particles.id[lane] == id) {
       return lane;
@@ -28,7 +29,8 @@ std::size_t lane_of(const Particles<2>& particles, std::uint32_t id) {
 }
 
 /// Steps until a guard stops the run, at most `most`.
-std::optional<PhysicsError> stop_within(Model& model, std::int64_t most) {
+template <int Dim>
+std::optional<PhysicsError> stop_within(ModelIn<Dim>& model, std::int64_t most) {
   try {
     model.steps(most);
   } catch (const PhysicsError& error) {
@@ -37,79 +39,50 @@ std::optional<PhysicsError> stop_within(Model& model, std::int64_t most) {
   return std::nullopt;
 }
 
+template <int Dim>
 Case small_block(Integrator integrator) {
   Case settings = compressed_block(4.0, 4.0, 0.2);
   settings.time.integrator = integrator;
-  return settings;
+  return Dim == 2 ? settings : in_space(settings, 2.0);
 }
 
 /// A column, and how many steps a value that is not finite may stay in it.
 struct Place {
   std::string name;
-  std::function<Column<double>&(Particles<2>&)> column;
+  Column<double>& column;
   std::int64_t steps;
 };
 
-const std::vector<Place>& places() {
-  using P = Particles<2>;
-  static const std::vector<Place> all{{"position x", [](P & p) -> auto& {return p.position[0];
-}
-, 1
-}  // namespace
-, {"position y", [](P& p) -> auto& {return p.position[1];
-}  // namespace rgimp::tests
-, 1
-}
-, {"velocity x", [](P& p) -> auto& {return p.velocity[0];
-}
-, 2
-}
-, {"velocity y", [](P& p) -> auto& {return p.velocity[1];
-}
-, 2
-}
-, {"stress xx", [](P& p) -> auto& {return p.stress[0];
-}
-, 2
-}
-, {"stress yy", [](P& p) -> auto& {return p.stress[1];
-}
-, 2
-}
-, {"stress xy", [](P& p) -> auto& {return p.stress[3];
-}
-, 2
-}
-, {"stress zz", [](P& p) -> auto& {return p.stress[2];
-}
-, kFullCheckEvery
-}
-, {"volume", [](P& p) -> auto& {return p.volume;
-}
-, 2
-}
-, {
-  "viscous energy", [](P & p) -> auto& {
-    return p.viscous_energy;
+template <int Dim>
+std::vector<Place> places(Particles<Dim>& particles) {
+  std::vector<Place> all{{"volume", particles.volume, 2},
+                         {"viscous energy", particles.viscous_energy, 1}};
+  for (int a = 0; a < Dim; ++a) {
+    all.push_back({"position " + std::to_string(a), particles.position[a], 1});
+    all.push_back({"velocity " + std::to_string(a), particles.velocity[a], 2});
   }
-  , 1
-}
-}
-;
-return all;
+  for (int c = 0; c < Particles<Dim>::kStress; ++c) {
+    const bool is_out_of_plane = Dim == 2 && c == 2;
+    all.push_back({"stress " + std::to_string(c), particles.stress[c],
+                   is_out_of_plane ? kFullCheckEvery : 2});
+  }
+  return all;
 }
 
 }  // namespace
 
-TEST_CASE("a value that is not finite is found in whatever column it lies") {
+TEMPLATE_TEST_CASE_SIG("a value that is not finite is found in whatever column it lies", "",
+                       ((int Dim), Dim), 2, 3) {
+  constexpr std::size_t kPlaces = 2 + 2 * Dim + Particles<Dim>::kStress;
   const WithoutTraps without_traps;
   for (const Integrator integrator : {Integrator::musl, Integrator::usl, Integrator::usf}) {
-    for (const Place& place : places()) {
+    for (std::size_t p = 0; p < kPlaces; ++p) {
       for (const double value : {kNaN, kInfinity, -kInfinity}) {
-        Model model(small_block(integrator));
+        ModelIn<Dim> model(small_block<Dim>(integrator));
         model.steps(10);
-        Particles<2>& particles = model.solver.particles();
-        place.column(particles)[lane_of(particles, kParticle)] = value;
+        Particles<Dim>& particles = model.solver.particles();
+        const Place place = places(particles).at(p);
+        place.column[lane_of(particles, kParticle)] = value;
         INFO("integrator " << static_cast<int>(integrator) << ", " << place.name << " " << value);
         CHECK_THROWS_WITH(model.solver.verify(), Catch::Contains("of particle 37 is not a finite"));
         const auto error = stop_within(model, kFullCheckEvery);
@@ -129,11 +102,11 @@ TEST_CASE("damage that is not a number is found where a material softens") {
   CHECK_THROWS_WITH(model.solver.rebin(), Catch::Contains("damage of particle 37"));
 }
 
-TEST_CASE("a volume that is not positive stops the run") {
+TEMPLATE_TEST_CASE_SIG("a volume that is not positive stops the run", "", ((int Dim), Dim), 2, 3) {
   const WithoutTraps without_traps;
   for (const double volume : {0.0, -1e-9}) {
-    Model model(small_block(Integrator::musl));
-    Particles<2>& particles = model.solver.particles();
+    ModelIn<Dim> model(small_block<Dim>(Integrator::musl));
+    Particles<Dim>& particles = model.solver.particles();
     particles.volume[lane_of(particles, kParticle)] = volume;
     CHECK_THROWS_WITH(model.solver.rebin(), Catch::Contains("particle 37 is turned inside out"));
     const auto error = stop_within(model, kFullCheckEvery);
@@ -212,6 +185,20 @@ TEST_CASE("a particle out of the grid stops the run with its place") {
   CHECK(error->report().position[0] > 2e-3);
   CHECK_THAT(error->what(), Catch::Contains("left the grid: position (") &&
                                 Catch::Contains("; enlarge the grid with grid.min and grid.max"));
+}
+
+TEST_CASE("in space a particle out of the grid along z stops the run with its place") {
+  Case settings = free_block_in_space(Vector(2.0, 2.0, 2.0));
+  settings.bodies.front().velocity = Vector(0.0, 0.0, -500.0);
+  ModelIn<3> model(settings);
+  const auto error = stop_within(model, 1000);
+  REQUIRE(error);
+  REQUIRE(error->report().particle);
+  CHECK(*error->report().particle < 64);  // of the back, in planes of 8 by 8
+  CHECK(error->report().velocity[2] == Approx(-500.0));
+  CHECK(error->report().position[2] < -1e-3);
+  CHECK_THAT(error->what(),
+             Catch::Contains("left the grid: position (") && Catch::Contains(", -500) m/s"));
 }
 
 TEST_CASE("of several broken particles the lowest id is named, for any number of threads") {

@@ -61,6 +61,20 @@ TEST_CASE("a fragment that leaves the grid stops the run, or the run goes on wit
   }
 }
 
+TEST_CASE(
+    "in space a fragment that leaves the grid along z is taken out with its mass and energy") {
+  Case settings = in_space(shooting(OnExit::remove), 2.0);
+  constexpr std::int64_t kDeep = 8;  // particles
+  settings.bodies.back().velocity = Vector(0.0, 0.0, 500.0);
+  ModelIn<3> model(settings);
+  model.steps(kSteps);
+  const RemovedParticles& removed = model.solver.removed();
+  CHECK(removed.particles == kDeep * static_cast<std::int64_t>(kFragment));
+  CHECK(model.solver.particles().count == kDeep * kBlock);
+  CHECK(removed.mass == Approx(2600.0 * 2e-9).epsilon(1e-12));
+  CHECK(removed.energy == Approx(0.5 * removed.mass * 500.0 * 500.0).epsilon(1e-3));
+}
+
 TEST_CASE("the energy that removed particles take along is accounted for") {
   Case settings = shooting(OnExit::remove);
   settings.platens.clear();
