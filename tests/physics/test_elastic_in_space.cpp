@@ -1,8 +1,12 @@
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "geometry.hpp"
 #include "models.hpp"
+#include "rgimp/simulation.hpp"
 
 // Elastic blocks in three dimensions against closed forms.
 namespace rgimp::tests {
@@ -93,6 +97,35 @@ TEST_CASE("in space work in equals energy stored and lost within 2e-4, for every
                          row.external_work;
     INFO("integrator " << static_cast<int>(integrator) << ": error " << error);
     REQUIRE(std::abs(error) <= 2e-4);
+  }
+}
+
+TEST_CASE("the largest principal stress of a particle is that of its whole tensor") {
+  Simulation simulation(cracking_block_in_space());
+  simulation.run_until(100);
+  const ParticleTable table = simulation.particles();
+  std::array<double, 6> largest{};
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const std::array<double, 6>& s = table.stress[i];  // xx, yy, zz, xy, yz, xz
+    Eigen::Matrix3d tensor;
+    tensor << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
+    const double size = tensor.norm();
+    // Below the largest eigenvalue some minor is negative; above it all are positive, the
+    // determinant too.
+    const Eigen::Matrix3d rest =
+        table.max_principal_stress[i] * Eigen::Matrix3d::Identity() - tensor;
+    REQUIRE(std::abs(rest.determinant()) <= 1e-13 * size * size * size);
+    for (int a = 0; a < 3; ++a) {
+      const int b = (a + 1) % 3;
+      REQUIRE(rest(a, a) >= -1e-13 * size);
+      REQUIRE(rest(a, a) * rest(b, b) - rest(a, b) * rest(a, b) >= -1e-13 * size * size);
+    }
+    for (std::size_t c = 0; c < 6; ++c) {
+      largest[c] = std::max(largest[c], std::abs(s[c]));
+    }
+  }
+  for (const double component : largest) {
+    CHECK(component > 1e3);  // Pa: none is left out
   }
 }
 
