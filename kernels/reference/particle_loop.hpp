@@ -23,7 +23,8 @@ BinNode<Dim> bin_node(const GridView<Dim>& grid, std::ptrdiff_t row, std::ptrdif
   bin.index[0] = static_cast<double>(column);
   bin.index[1] = static_cast<double>(Dim == 2 ? row : row % grid.rows_in_plane);
   if constexpr (Dim == 3) {
-    bin.index[2] = static_cast<double>(row / grid.rows_in_plane);
+    const std::ptrdiff_t plane = row / grid.rows_in_plane;
+    bin.index[2] = static_cast<double>(plane);
   }
   return bin;
 }
