@@ -106,12 +106,15 @@ void print_results(const Simulation& simulation, const Progress& progress,
 double time_steps(Simulation& simulation) {
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::duration<double> span{0.3};
-  constexpr std::int64_t chunk = 8;
+  constexpr std::int64_t many = 8;
   const std::int64_t total = simulation.facts().total_steps;
+  Clock::time_point start = Clock::now();
   simulation.run_until(std::min<std::int64_t>(total, 1));  // touches all memory: no fair sample
+  std::chrono::duration<double> elapsed = Clock::now() - start;
+  const std::int64_t chunk = elapsed < span / many ? many : 1;
   const std::int64_t first = simulation.steps_done();
-  const Clock::time_point start = Clock::now();
-  std::chrono::duration<double> elapsed{0.0};
+  start = Clock::now();
+  elapsed = {};
   while (elapsed < span && simulation.steps_done() < total) {
     simulation.run_until(std::min(total, simulation.steps_done() + chunk));
     elapsed = Clock::now() - start;
@@ -137,6 +140,24 @@ std::string describe_grid(const Facts& facts, const Case& settings) {
                      settings.grid.cell_size);
 }
 
+/// What the case is, before any of it is run.
+void print_facts(const Simulation& simulation, const std::filesystem::path& file) {
+  const Facts facts = simulation.facts();
+  const Case& settings = simulation.settings();
+  print_line("case", settings.title.empty() ? file.string() : settings.title);
+  print_line("particles", with_separators(static_cast<std::int64_t>(facts.particles)));
+  print_line("grid", describe_grid(facts, settings));
+  print_line("time step", fmt::format("{:.6g} s, {:.4f} of the critical step (dt/dt_cr)", facts.dt,
+                                      simulation.critical_step_ratio()));
+  print_line("steps", fmt::format("{}, {:.4g} s simulated", with_separators(facts.total_steps),
+                                  static_cast<double>(facts.total_steps) * facts.dt));
+  print_line("memory",
+             fmt::format("{}, at most {} (in a snapshot)", format_bytes(facts.memory_bytes),
+                         format_bytes(facts.peak_memory_bytes)));
+  print_line("machine", fmt::format("{}, {} threads", facts.isa, facts.threads));
+  std::fflush(stdout);  // for the physics may stop the steps
+}
+
 }  // namespace
 
 int run(const RunArguments& arguments) {
@@ -147,6 +168,9 @@ int run(const RunArguments& arguments) {
   options.stop_requested = [&] { return interruption.signal().has_value(); };
   Simulation simulation(load(arguments.input));
   const bool quiet = arguments.verbosity == Verbosity::quiet;
+  if (!quiet) {
+    print_facts(simulation, arguments.input.file);
+  }
   ProgressDisplay display;
   Progress latest;
   options.on_progress = [&](const Progress& progress) {
@@ -178,23 +202,13 @@ int run(const RunArguments& arguments) {
 
 void check(const CaseArguments& arguments) {
   Simulation simulation(load(arguments));
+  print_facts(simulation, arguments.file);
   const Facts facts = simulation.facts();
-  const Case& settings = simulation.settings();
-  const auto total = static_cast<double>(facts.total_steps);
-  print_line("case", settings.title.empty() ? arguments.file.string() : settings.title);
-  print_line("particles", with_separators(static_cast<std::int64_t>(facts.particles)));
-  print_line("grid", describe_grid(facts, settings));
-  print_line("time step", fmt::format("{:.6g} s, {:.4f} of the critical step (dt/dt_cr)", facts.dt,
-                                      simulation.critical_step_ratio()));
-  print_line("steps", fmt::format("{}, {:.4g} s simulated", with_separators(facts.total_steps),
-                                  total * facts.dt));
-  print_line("memory", format_bytes(facts.memory_bytes));
-  print_line("machine", fmt::format("{}, {} threads", facts.isa, facts.threads));
-  std::fflush(stdout);  // for the physics may stop the steps
   const double step_seconds = time_steps(simulation);
   if (step_seconds > 0.0) {
     print_line("speed", describe_speed(static_cast<double>(facts.particles) / step_seconds));
-    print_line("estimated time", format_duration(total * step_seconds));
+    print_line("estimated time",
+               format_duration(static_cast<double>(facts.total_steps) * step_seconds));
   }
 }
 

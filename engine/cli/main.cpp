@@ -1,3 +1,5 @@
+#include <malloc.h>
+
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cstdint>
@@ -173,6 +175,9 @@ int parse_and_run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Large blocks go back to the system when they are freed. glibc would keep those below 32 MiB
+  // once one was freed: 8 % more memory at 2 million particles.
+  mallopt(M_MMAP_THRESHOLD, 4 << 20);
   try {
     return parse_and_run(argc, argv);
   } catch (const rgimp::CaseError& error) {

@@ -48,9 +48,10 @@ void ValueChecker::vector(std::string_view key, const Vector& value) const {
 
 void ValueChecker::direction(std::string_view key, const Vector& value) const {
   vector(key, value);
-  // Lengths whose square is no number have no direction either.
-  if (!std::isnormal(value.squaredNorm())) {
-    refuse(key, fmt::format("is of length {:.4g}; expected a direction", value.stableNorm()));
+  const double length = std::hypot(value.x(), value.y(), value.z());
+  constexpr double kLongest = 1e100;  // squares of lengths from 1 / kLongest on are numbers
+  if (!(length >= 1.0 / kLongest && length <= kLongest)) {
+    refuse(key, fmt::format("is of length {:.4g}; expected a direction", length));
   }
 }
 

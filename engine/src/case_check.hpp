@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,8 +14,9 @@ namespace rgimp {
 void check_dimension(const Case& settings);
 void check_materials(const Case& settings);
 void check_time(const Case& settings);
-/// Number of nodes and particles, against what can be counted and what `machine_bytes` hold.
-void check_amount(const Case& settings, double machine_bytes);
+/// Number of nodes and particles, against what can be counted, and their memory against
+/// `available_bytes`, where that is known. Allocates nothing.
+void check_amount(const Case& settings, std::optional<double> available_bytes);
 /// Number of nodes and particles, and where the bodies and platens lie in the grid.
 void check_grid(const Case& settings);
 /// How bodies and flaws lie to each other and to the lattice. Returns warnings.

@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +5,8 @@
 #include "case_check.hpp"
 #include "case_error.hpp"
 #include "case_names.hpp"
+#include "case_size.hpp"
+#include "machine_memory.hpp"
 #include "platen_geometry.hpp"
 #include "shapes.hpp"
 
@@ -16,24 +16,7 @@ namespace {
 constexpr double kSmallestMargin = 3.0;          // cells beyond the bodies, for weights and drift
 constexpr double kMostNodes = 2147483648.0;      // 2^31
 constexpr double kMostParticles = 4294967295.0;  // ids have 32 bits
-// What a run takes at its height, while a snapshot is written: in space 210 of them are the state
-// that steps go on from (2.1 million particles, measured); in the plane a tenth less.
-constexpr double kBytesPerParticle = 440.0;
-constexpr double kBytesPerNode = 140.0;
 constexpr double kGibibyte = 1024.0 * 1024.0 * 1024.0;
-
-double machine_memory() {
-  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-}
-
-double count_nodes(const Case& settings) {
-  const Box box = grid_box(settings);
-  double nodes = 1.0;
-  for (int axis = 0; axis < settings.dimension; ++axis) {
-    nodes *= std::abs(box.max[axis] - box.min[axis]) / settings.grid.cell_size + 1.0;
-  }
-  return nodes;
-}
 
 double count_lattice_points(const Case& settings) {
   double points = 0.0;
@@ -125,8 +108,9 @@ void check_contact_nodes(const Case& settings, const GridExtent& extent, std::si
 }  // namespace
 
 // In real numbers, for what is refused here need not fit an integer.
-void check_amount(const Case& settings, double machine_bytes) {
-  const double nodes = count_nodes(settings);
+void check_amount(const Case& settings, std::optional<double> available_bytes) {
+  const CaseSize size = estimate_size(settings);
+  const double nodes = size.nodes;
   const double particles = count_lattice_points(settings);
   const ValueChecker check(settings);
   if (!(nodes <= kMostNodes)) {
@@ -137,18 +121,18 @@ void check_amount(const Case& settings, double machine_bytes) {
     check.refuse("grid.cell_size", fmt::format("makes {:.3g} particles; expected at most {:.0f}",
                                                particles, kMostParticles));
   }
-  const double bytes = nodes * kBytesPerNode + particles * kBytesPerParticle;
-  if (bytes > machine_bytes) {
+  const double bytes = peak_bytes(size.state_bytes, size.particles);
+  if (available_bytes && bytes > *available_bytes) {
     check.refuse(
         "grid.cell_size",
-        fmt::format("makes {:.3g} nodes and {:.3g} particles, which take about {:.0f} GiB; "
-                    "expected no more than this machine's {:.0f} GiB",
-                    nodes, particles, bytes / kGibibyte, machine_bytes / kGibibyte));
+        fmt::format("makes {:.3g} nodes and {:.3g} particles, which take about {:.3g} GiB of "
+                    "memory; expected no more than the {:.3g} GiB that are free here",
+                    nodes, size.particles, bytes / kGibibyte, *available_bytes / kGibibyte));
   }
 }
 
 void check_grid(const Case& settings) {
-  check_amount(settings, machine_memory());
+  check_amount(settings, available_memory());
   check_distance(settings);
   const GridExtent extent = grid_extent(settings);
   check_margin(settings, extent);

@@ -24,6 +24,16 @@ std::uint8_t material_index(const Case& settings, std::size_t body) {
   return static_cast<std::uint8_t>(std::distance(settings.materials.begin(), found));
 }
 
+/// Of all bodies; at least as many as there are particles.
+std::size_t lattice_points(const Case& settings) {
+  std::int64_t points = 0;
+  for (const Body& body : settings.bodies) {
+    const Lattice lattice(settings, body);
+    points += lattice.columns() * lattice.rows() * lattice.planes();
+  }
+  return static_cast<std::size_t>(points);
+}
+
 }  // namespace
 
 Box bounds(const Case& settings) {
@@ -64,6 +74,7 @@ GridExtent grid_extent(const Case& settings) {
 
 std::vector<ParticleSeed> seed_particles(const Case& settings) {
   std::vector<ParticleSeed> seeds;
+  seeds.reserve(lattice_points(settings));  // growing would take half as much again
   for (std::size_t b = 0; b < settings.bodies.size(); ++b) {
     const Body& body = settings.bodies[b];
     const Lattice lattice(settings, body);

@@ -90,7 +90,7 @@ void Grid<Dim>::clear_second_field(kernels::RowRange rows) {
 
 template <int Dim>
 std::size_t Grid<Dim>::memory_bytes() const {
-  return (2 + 5 * Dim) * mass_.capacity() * sizeof(double);
+  return kFields * mass_.capacity() * sizeof(double);
 }
 
 template class Grid<2>;

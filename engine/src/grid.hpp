@@ -16,6 +16,8 @@ namespace rgimp {
 template <int Dim>
 class Grid {
  public:
+  static constexpr std::size_t kFields = 2 + 5 * Dim;
+
   /// `damping` is beta of local damping, on every node.
   Grid(const GridExtent& extent, int particles_per_cell, double damping);
 

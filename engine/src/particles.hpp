@@ -15,6 +15,10 @@ struct Particles {
   static constexpr int kStress = kernels::kStressComponents<Dim>;
   static constexpr std::uint32_t kNoId = std::numeric_limits<std::uint32_t>::max();
 
+  /// Of a lane in all columns but `damage`.
+  static constexpr std::size_t kLaneBytes =
+      (2 * Dim + kStress + 4) * sizeof(double) + sizeof(std::int32_t) + sizeof(std::uint32_t);
+
   std::array<Column<double>, Dim> position;
   std::array<Column<double>, Dim> velocity;
   std::array<Column<double>, kStress> stress;

@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "case_of_state.hpp"
+#include "case_size.hpp"
 #include "checkpoint_file.hpp"
 #include "input_file.hpp"
 #include "rgimp/case_file.hpp"
@@ -178,6 +179,8 @@ class Simulation::Implementation {
       facts.nodes = solver.grid().extent().nodes;
       facts.dt = solver.dt();
       facts.memory_bytes = solver.memory_bytes();
+      facts.peak_memory_bytes = static_cast<std::size_t>(peak_bytes(
+          static_cast<double>(facts.memory_bytes), static_cast<double>(facts.particles)));
     });
     facts.total_steps = static_cast<std::int64_t>(total_steps(settings_));
     facts.isa = kernels::name(isa_);

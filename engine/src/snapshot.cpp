@@ -46,22 +46,30 @@ void write_cells(const Hdf5Group& grid, std::size_t points) {
   grid.write_dataset("Types", "1", table_of(std::vector<std::uint8_t>(points, kVtkVertex)));
 }
 
-void write_point_data(const Hdf5Group& data, const ParticleTable& particles) {
-  data.write_dataset("id", "1", table_of(particles.id));
-  data.write_dataset("velocity", "m/s", table_of(particles.velocity));
-  data.write_dataset("stress", "Pa", table_of(particles.stress));
-  data.write_dataset("max_principal_stress", "Pa", table_of(particles.max_principal_stress));
-  data.write_dataset("failed", "1", table_of(particles.failed));
-  data.write_dataset("damage", "1", table_of(particles.damage));
-  data.write_dataset("failure_step", "1", table_of(particles.failure_step));
+/// Frees the values, as the file in memory has them now.
+template <typename Values>
+void move_dataset(const Hdf5Group& group, const std::string& name, std::string_view units,
+                  Values& values) {
+  group.write_dataset(name, units, table_of(values));
+  values = Values();
 }
 
-void write_grid(const Hdf5Group& grid, const ParticleTable& particles, const SnapshotTime& when) {
+void write_point_data(const Hdf5Group& data, ParticleTable& particles) {
+  move_dataset(data, "id", "1", particles.id);
+  move_dataset(data, "velocity", "m/s", particles.velocity);
+  move_dataset(data, "stress", "Pa", particles.stress);
+  move_dataset(data, "max_principal_stress", "Pa", particles.max_principal_stress);
+  move_dataset(data, "failed", "1", particles.failed);
+  move_dataset(data, "damage", "1", particles.damage);
+  move_dataset(data, "failure_step", "1", particles.failure_step);
+}
+
+void write_grid(const Hdf5Group& grid, ParticleTable& particles, const SnapshotTime& when) {
   constexpr std::array<std::int64_t, 2> version{1, 0};
   grid.write_attribute("Version", hdf5_table(std::span<const std::int64_t>(version)));
   grid.write_attribute("Type", "UnstructuredGrid");
   write_cells(grid, particles.size());
-  grid.write_dataset("Points", "m", table_of(particles.position));
+  move_dataset(grid, "Points", "m", particles.position);
   write_point_data(grid.create_group("PointData"), particles);
   const Hdf5Group field = grid.create_group("FieldData");
   write_number(field, "step", "1", when.step);
@@ -87,7 +95,7 @@ bool is_snapshot_name(std::string_view name) {
   return name.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-void write_snapshot(const std::filesystem::path& path, const ParticleTable& particles,
+void write_snapshot(const std::filesystem::path& path, ParticleTable particles,
                     const SnapshotTime& when) {
   const Hdf5Image image;
   write_grid(image.create_group("VTKHDF"), particles, when);

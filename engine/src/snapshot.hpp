@@ -22,7 +22,7 @@ bool is_snapshot_name(std::string_view name);
 
 /// Writes the particles as a VTKHDF 1.0 unstructured grid of vertices, which VTK >= 9.1 and
 /// ParaView >= 5.10 open, and any HDF5 reader. Throws FileError; then no file is left.
-void write_snapshot(const std::filesystem::path& path, const ParticleTable& particles,
+void write_snapshot(const std::filesystem::path& path, ParticleTable particles,
                     const SnapshotTime& when);
 
 /// Writes the list of a run's snapshots in ParaView's series format, so that it opens them as one

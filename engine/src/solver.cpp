@@ -55,16 +55,7 @@ Solver<Dim>::Solver(const Case& settings, kernels::Isa isa, Workers& workers)
   for (const auto& [name, material] : settings.materials) {
     materials_.push_back(material_constants(material, settings));
   }
-  const std::vector<ParticleSeed> seeds = seed_particles(settings);
-  for (const ParticleSeed& seed : seeds) {
-    material_of_id_.push_back(seed.material);
-  }
-  particles_ = particles_from<Dim>(seeds);
-  if (std::any_of(materials_.begin(), materials_.end(),
-                  [](const kernels::MaterialConstants& material) { return material.softens; })) {
-    particles_.damage.assign(seeds.size(), 0.0);
-  }
-  ledger_.set_initial_speed(fastest(seeds));
+  take_seeds(seed_particles(settings));
   node_update_.dt = dt_;
   node_update_.least_mass = least_node_mass<Dim>(settings);
   for (int a = 0; a < Dim; ++a) {
@@ -77,6 +68,20 @@ Solver<Dim>::Solver(const Case& settings, kernels::Isa isa, Workers& workers)
   update_.materials = materials_.data();
   rebin();
   rebins_ = 0;
+}
+
+template <int Dim>
+void Solver<Dim>::take_seeds(const std::vector<ParticleSeed>& seeds) {
+  material_of_id_.reserve(seeds.size());
+  for (const ParticleSeed& seed : seeds) {
+    material_of_id_.push_back(seed.material);
+  }
+  particles_ = particles_from<Dim>(seeds);
+  if (std::any_of(materials_.begin(), materials_.end(),
+                  [](const kernels::MaterialConstants& material) { return material.softens; })) {
+    particles_.damage.assign(seeds.size(), 0.0);
+  }
+  ledger_.set_initial_speed(fastest(seeds));
 }
 
 // ---- the step -------------------------------------------------------------------------------
@@ -286,11 +291,10 @@ HistoryRow Solver<Dim>::history() {
 
 template <int Dim>
 std::size_t Solver<Dim>::memory_bytes() const {
-  constexpr std::size_t kDoubles = 2 * Dim + Particles<Dim>::kStress + 4;
-  const std::size_t lane = kDoubles * sizeof(double) + sizeof(std::int32_t) + sizeof(std::uint32_t);
-  return particles_.lanes() * lane + particles_.damage.size() * sizeof(double) +
-         particles_.slot_material.size() + particles_.group_begin.size() * sizeof(std::uint32_t) +
-         material_of_id_.size() + grid_.memory_bytes();
+  return particles_.lanes() * Particles<Dim>::kLaneBytes +
+         particles_.damage.size() * sizeof(double) + particles_.slot_material.size() +
+         particles_.group_begin.size() * sizeof(std::uint32_t) + material_of_id_.size() +
+         grid_.memory_bytes();
 }
 
 template class Solver<2>;

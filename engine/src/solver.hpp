@@ -72,6 +72,8 @@ class Solver {
   using Range = kernels::RowRange;
   using View = kernels::GridView<Dim>;
 
+  void take_seeds(const std::vector<ParticleSeed>& seeds);
+
   // Phases of a step; each returns when all bands are done.
   void accelerate();
   void strain_and_move();

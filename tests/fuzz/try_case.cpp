@@ -1,12 +1,13 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "case_check.hpp"
+#include "case_size.hpp"
 #include "rgimp/rgimp.hpp"
 #include "targets.hpp"
 #include "unchecked_case.hpp"
@@ -15,8 +16,9 @@ namespace rgimp::fuzz {
 namespace {
 
 constexpr const char* kFile = "fuzz.toml";
-/// A few hundred particles: two steps of them take about a millisecond under the sanitizers.
-constexpr double kTinyMachine = 4e5;  // bytes, as check_amount estimates them
+// Two steps of so few take about a millisecond under the sanitizers.
+constexpr double kMostParticles = 1500.0;
+constexpr double kMostNodes = 4000.0;  // a cell and its margins are 2,704 in three dimensions
 
 std::vector<std::string> overrides_in(const std::string& text) {
   constexpr std::string_view mark = "#--set ";
@@ -30,18 +32,18 @@ std::vector<std::string> overrides_in(const std::string& text) {
   return overrides;
 }
 
-bool fits(const Case& settings, double machine_bytes) {
+/// Neither small enough to be run here nor so large that it has to be refused.
+bool is_a_users_size(const Case& settings) {
+  const CaseSize size = estimate_size(settings);
+  if (size.particles <= kMostParticles && size.nodes <= kMostNodes) {
+    return false;
+  }
   try {
-    check_amount(settings, machine_bytes);
+    check_amount(settings, std::nullopt);
     return true;
   } catch (const CaseError&) {
     return false;
   }
-}
-
-/// Neither small enough to be run here nor so large that it has to be refused.
-bool is_a_users_size(const Case& settings) {
-  return !fits(settings, kTinyMachine) && fits(settings, std::numeric_limits<double>::infinity());
 }
 
 void check_round_trip(const Case& settings) {

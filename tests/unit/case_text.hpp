@@ -48,6 +48,45 @@ speed = 0.005
 steps = 1000
 )";
 
+/// The same in three dimensions.
+inline const std::string kRightSolid = R"(title = "solid"
+dimension = 3
+[grid]
+cell_size = 1e-3
+[[body]]
+shape = "box"
+center = [0.0, 0.0, 0.0]
+size = [20e-3, 40e-3, 20e-3]
+material = "rock"
+[[flaw]]
+shape = "slot"
+center = [0.0, 0.0, 0.0]
+length = 8e-3
+width = 3e-3
+depth = 10e-3
+direction = [1.0, 1.0, 0.0]
+normal = [-1.0, 1.0, 0.0]
+[[flaw]]
+shape = "penny"
+center = [0.0, 10e-3, 0.0]
+length = 8e-3
+width = 3e-3
+normal = [0.0, 1.0, 1.0]
+[material.rock]
+density = 2600.0
+youngs_modulus = 17e9
+poisson_ratio = 0.14
+[[platen]]
+side = "top"
+speed = 0.005
+[[platen]]
+side = "front"
+speed = 0.0
+half_width = 5e-3
+[time]
+steps = 100
+)";
+
 /// A directory of its own for one test, removed with everything in it.
 class ScratchDirectory {
  public:
@@ -80,9 +119,9 @@ inline Case read_text(const std::string& text, const std::vector<std::string>& o
   return read_case(scratch.write(text), overrides);
 }
 
-/// The right case with its first `from` replaced.
-inline std::string with(const std::string& from, const std::string& to) {
-  std::string text = kRightCase;
+/// A right case with its first `from` replaced.
+inline std::string with(const std::string& from, const std::string& to,
+                        std::string text = kRightCase) {
   const std::size_t place = text.find(from);
   return place == std::string::npos ? "test asks for text that is not there: " + from
                                     : text.replace(place, from.size(), to);

@@ -74,6 +74,75 @@ threads = 2
 bands_per_task = 3
 )";
 
+/// The same for three dimensions; the grid lines stay on the cylinder's ends.
+const std::string kEverySolid = R"(dimension = 3
+[grid]
+cell_size = 1e-3
+min = [-0.02, -0.03, -0.02]
+max = [0.08, 0.03, 0.025]
+[[body]]
+shape = "cylinder"
+center = [0.0, 0.0, 0.0]
+size = [0.02, 0.04]
+axis = [0.0, -2.5, 0.0]
+material = "rock"
+velocity = [1.0, -7.0, 1e-300]
+[[body]]
+shape = "sphere"
+center = [0.03, 0.0, 0.0]
+size = 0.02
+material = "rock"
+[[body]]
+shape = "box"
+center = [0.05, 0.0, 0.0]
+size = [0.01, 0.02, 0.03]
+material = "rock"
+[[flaw]]
+shape = "slot"
+center = [0.0, 0.0, 0.0]
+length = 8e-3
+width = 3e-3
+direction = [1.0, 2.0, 0.30000000000000004]
+normal = [-2.0, 1.0, 0.0]
+ends = "round"
+[[flaw]]
+shape = "slot"
+center = [0.0, 0.0, 0.0]
+length = 8e-3
+width = 3e-3
+depth = 4e-3
+angle = 33.333333333333336
+[[flaw]]
+shape = "penny"
+center = [0.0, 0.0, 1e-3]
+length = 8e-3
+width = 3e-3
+normal = [0.1, 0.2, -0.3]
+[[flaw]]
+shape = "sphere"
+center = [0.0, 0.01, 0.0]
+length = 4e-3
+[[flaw]]
+shape = "box"
+center = [0.05, 0.0, 0.0]
+size = [3e-3, 4e-3, 5e-3]
+[material.rock]
+density = 2600
+youngs_modulus = 17e9
+poisson_ratio = 0.14
+[[platen]]
+side = "back"
+speed = 0.0
+half_width = 2e-3
+[[platen]]
+side = "front"
+speed = 0.1
+[time]
+steps = 10
+[body_force]
+acceleration = [0.0, -9.81, 0.5]
+)";
+
 rgimp::Case read_back() {
   return read_text(rgimp::write_case(read_text(kEverything)));
 }
@@ -128,6 +197,36 @@ TEST_CASE("what is written reads back to the same loads, times and outputs") {
   CHECK(second.tuning.threads == 2);
   CHECK(second.tuning.bands_per_task == 3);
   CHECK(second.numerics.band_height == 6);
+}
+
+TEST_CASE("what is written of a solid reads back to the same text and values") {
+  const std::string text = rgimp::write_case(read_text(kEverySolid));
+  const rgimp::Case second = read_text(text);
+  CHECK(rgimp::write_case(second) == text);
+  CHECK(text.find("\nside = \"back\"                       # top | bottom | left | right | front | "
+                  "back") != std::string::npos);
+  CHECK(second.dimension == 3);
+  CHECK(second.grid.max.value() == rgimp::Vector(0.08, 0.03, 0.025));
+  CHECK(second.bodies.at(0).shape == rgimp::BodyShape::cylinder);
+  CHECK(second.bodies.at(0).size == rgimp::Vector(0.02, 0.04, 0.0));
+  CHECK(second.bodies.at(0).axis == rgimp::Vector(0.0, -2.5, 0.0));
+  CHECK(second.bodies.at(0).velocity == rgimp::Vector(1.0, -7.0, 1e-300));
+  CHECK(second.bodies.at(1).size == rgimp::Vector(0.02, 0.0, 0.0));
+  CHECK(second.bodies.at(2).size == rgimp::Vector(0.01, 0.02, 0.03));
+  CHECK(second.flaws.at(0).direction.value() == rgimp::Vector(1.0, 2.0, 0.30000000000000004));
+  CHECK(second.flaws.at(0).normal.value() == rgimp::Vector(-2.0, 1.0, 0.0));
+  CHECK_FALSE(second.flaws.at(0).depth.has_value());
+  CHECK(second.flaws.at(0).ends == rgimp::SlotEnds::round);
+  CHECK_FALSE(second.flaws.at(1).direction.has_value());
+  CHECK(second.flaws.at(1).depth == 4e-3);
+  CHECK(second.flaws.at(1).angle == 33.333333333333336);
+  CHECK(second.flaws.at(2).normal.value() == rgimp::Vector(0.1, 0.2, -0.3));
+  CHECK(second.flaws.at(2).width == 3e-3);
+  CHECK(second.flaws.at(3).length == 4e-3);
+  CHECK(second.flaws.at(4).size == rgimp::Vector(3e-3, 4e-3, 5e-3));
+  CHECK(second.platens.at(0).side == rgimp::Side::back);
+  CHECK(second.platens.at(0).half_width == 2e-3);
+  CHECK(second.body_acceleration == rgimp::Vector(0.0, -9.81, 0.5));
 }
 
 TEST_CASE("the examples survive writing, and defaults are spelt out") {

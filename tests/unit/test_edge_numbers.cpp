@@ -190,3 +190,46 @@ TEST_CASE("numbers at the edge: forces, output and all else") {
        "2: dimension: is -9223372036854775808; expected an integer of 32 bits"},
   });
 }
+
+TEST_CASE("numbers at the edge: solids") {
+  const rgimp::tests::WithoutTraps overflow;
+  const std::string box = "\"box\"\ncenter = [0.0, 0.0, 0.0]\nsize = [20e-3, 40e-3, 20e-3]";
+  const std::string axes = "direction = [1.0, 1.0, 0.0]\nnormal = [-1.0, 1.0, 0.0]";
+  rgimp::testing::check_rows(
+      {
+          {"40e-3, 20e-3]", "40e-3, 1e300]",
+           "4: grid.cell_size: makes 1.99e+306 nodes; expected at most 2147483648"},
+          {"40e-3, 20e-3]", "40e-3, -0.0]", "8: body[0].size[2]: is -0; expected a number above 0"},
+          {box, "\"sphere\"\ncenter = [0, 0, 0]\nsize = 1e300",
+           "4: grid.cell_size: makes inf nodes; expected at most 2147483648"},
+          {box, "\"cylinder\"\ncenter = [0, 0, 0]\nsize = [20e-3, 40e-3]\naxis = [0, 1e99, 0]",
+           "accepted"},
+          {box, "\"cylinder\"\ncenter = [0, 0, 0]\nsize = [20e-3, 40e-3]\naxis = [0, 1e300, 0]",
+           "9: body[0].axis: is of length 1e+300; expected a direction"},
+          {box, "\"cylinder\"\ncenter = [0, 0, 0]\nsize = [20e-3, 40e-3]\naxis = [0, nan, 0]",
+           "9: body[0].axis[1]: is nan; expected a finite number"},
+          {box, "\"cylinder\"\ncenter = [0, 0, 0]\nsize = [20e-3, 1e-320]",
+           "11: flaw[0].center: lies outside every body, so that no particle is left out; the "
+           "bodies "
+           "span (-0.01, -4.99994e-321, -0.01) to (0.01, 4.99994e-321, 0.01) m"},
+          {axes, "direction = [1e-99, 0, 0]\nnormal = [0, 1e99, 0]", "accepted"},
+          {axes, "direction = [1e-320, 0, 0]\nnormal = [0, 1, 0]",
+           "16: flaw[0].direction: is of length 1e-320; expected a direction"},
+          {"depth = 10e-3", "depth = 1e300", "accepted"},
+          {"depth = 10e-3", "depth = inf", "15: flaw[0].depth: is inf; expected a finite number"},
+          {"depth = 10e-3", "depth = 1e-320",
+           "15: flaw[0].depth: is 1e-320 m, 1e-317 cells across; expected at least two cells, "
+           "0.002 "
+           "m: nearer faces share grid nodes and stay glued"},
+          {"center = [0.0, 10e-3, 0.0]", "center = [0.0, 10e-3, 1e300]",
+           "20: flaw[1].center: lies outside every body, so that no particle is left out; the "
+           "bodies "
+           "span (-0.01, -0.02, -0.01) to (0.01, 0.02, 0.01) m"},
+          {"steps = 100", "steps = 100\n[body_force]\nacceleration = [0, 0, inf]",
+           "38: body_force.acceleration[2]: is inf; expected a finite number"},
+          {"cell_size = 1e-3", "cell_size = 1e-3\nmin = [0, 0, -1e300]",
+           "4: grid.cell_size: makes inf nodes; expected at most 2147483648"},
+          {"half_width = 5e-3", "half_width = 1e300", "accepted"},
+      },
+      rgimp::testing::kRightSolid);
+}

@@ -29,10 +29,10 @@ inline std::string message_of(const std::string& text) {
   return "accepted";
 }
 
-inline void check_rows(const std::vector<WrongCase>& rows) {
+inline void check_rows(const std::vector<WrongCase>& rows, const std::string& right = kRightCase) {
   for (const WrongCase& row : rows) {
     INFO(row.from << " -> " << row.to);
-    CHECK(message_of(with(row.from, row.to)) == row.message);
+    CHECK(message_of(with(row.from, row.to, right)) == row.message);
   }
 }
 

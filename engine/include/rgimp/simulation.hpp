@@ -79,7 +79,8 @@ struct Facts {
   std::array<std::int64_t, 3> nodes{};  ///< per axis; 1 along z in 2D
   double dt = 0.0;                      ///< s, Eq. 24
   std::int64_t total_steps = 0;
-  std::size_t memory_bytes = 0;  ///< particles and grid
+  std::size_t memory_bytes = 0;       ///< particles and grid
+  std::size_t peak_memory_bytes = 0;  ///< of a run's process, while it writes a snapshot
   std::string isa;               ///< reference, baseline, avx2 or avx512
   int threads = 0;
 };
