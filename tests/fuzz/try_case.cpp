@@ -18,7 +18,7 @@ namespace {
 constexpr const char* kFile = "fuzz.toml";
 // Two steps of so few take about a millisecond under the sanitizers.
 constexpr double kMostParticles = 1500.0;
-constexpr double kMostNodes = 4000.0;  // a cell and its margins are 2,704 in three dimensions
+constexpr double kMostNodes = 5000.0;  // a cell and its margins are 2,704 in three dimensions
 
 std::vector<std::string> overrides_in(const std::string& text) {
   constexpr std::string_view mark = "#--set ";
