@@ -125,8 +125,8 @@ void check_amount(const Case& settings, std::optional<double> available_bytes) {
   if (available_bytes && bytes > *available_bytes) {
     check.refuse(
         "grid.cell_size",
-        fmt::format("makes {:.3g} nodes and {:.3g} particles, which take about {:.3g} GiB of "
-                    "memory; expected no more than the {:.3g} GiB that are free here",
+        fmt::format("makes {:.3g} nodes and {:.3g} particles, which take about {:.1f} GiB of "
+                    "memory; expected no more than the {:.1f} GiB that are free here",
                     nodes, size.particles, bytes / kGibibyte, *available_bytes / kGibibyte));
   }
 }

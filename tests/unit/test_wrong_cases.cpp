@@ -206,8 +206,8 @@ TEST_CASE("a case beyond the machine's memory is refused with its numbers") {
   CHECK_NOTHROW(rgimp::check_amount(settings, 10.0 * gibibyte));
   CHECK_THROWS_WITH(rgimp::check_amount(settings, 4.0 * gibibyte),
                     Catch::EndsWith("4: grid.cell_size: makes 8.08e+06 nodes and 3.2e+07 "
-                                    "particles, which take about 9.42 GiB of memory; expected no "
-                                    "more than the 4 GiB that are free here"));
+                                    "particles, which take about 9.4 GiB of memory; expected no "
+                                    "more than the 4.0 GiB that are free here"));
   CHECK_NOTHROW(rgimp::check_amount(settings, std::nullopt));
 }
 
