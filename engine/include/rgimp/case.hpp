@@ -56,10 +56,13 @@ struct Flaw {
   double angle = 0.0;                ///< degrees from +x, counterclockwise; slot only
   SlotEnds ends = SlotEnds::square;  ///< slot only
   Vector size = Vector::Zero();      ///< m, box only: edges
-  // Of any length and, in a slot, at right angles; three dimensions only.
-  std::optional<Vector> direction;  ///< slot, along its length; none: in the plane, by `angle`
-  std::optional<Vector> normal;     ///< slot (with direction) and penny, across its width
-  std::optional<double> depth;      ///< m, slot, at right angles to both; none: all through
+  // In three dimensions only; directions are of any length and, in a slot, at right angles.
+  /// Of a slot, along its length; none: in the plane of x and y, by `angle`.
+  std::optional<Vector> direction = std::nullopt;
+  /// Of a slot with a direction, and of a penny: across the width.
+  std::optional<Vector> normal = std::nullopt;
+  /// m, of a slot, at right angles to both; none: all through.
+  std::optional<double> depth = std::nullopt;
 };
 
 /// The paper's section 3.1. Equations are given in failure_limits.hpp.
