@@ -81,7 +81,7 @@ struct Facts {
   std::int64_t total_steps = 0;
   std::size_t memory_bytes = 0;       ///< particles and grid
   std::size_t peak_memory_bytes = 0;  ///< of a run's process, while it writes a snapshot
-  std::string isa;               ///< reference, baseline, avx2 or avx512
+  std::string isa;                    ///< reference, baseline, avx2 or avx512
   int threads = 0;
 };
 
