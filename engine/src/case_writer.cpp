@@ -54,6 +54,7 @@ std::string to_text(const std::string& value) {
 }
 std::string to_text(const std::vector<double>& values) {
   std::vector<std::string> texts;
+  texts.reserve(values.size());
   for (const double value : values) {
     texts.push_back(to_text(value));
   }
