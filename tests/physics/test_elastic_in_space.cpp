@@ -23,16 +23,6 @@ Case slow_column() {
   return settings;
 }
 
-double mean_stress(const Particles<3>& p, int component) {
-  double sum = 0.0;
-  double volume = 0.0;
-  for (std::size_t i = 0; i < p.lanes(); ++i) {
-    sum += p.volume[i] * p.stress[component][i];
-    volume += p.volume[i];
-  }
-  return sum / volume;
-}
-
 /// Mean strain along an axis, from what the particles moved.
 double mean_strain(const ModelIn<3>& model, Particles<3>& p, int axis) {
   const std::vector<ParticleSeed> seeds = seed_particles(model.settings);

@@ -137,4 +137,16 @@ inline Case softening_block_in_space() {
   return settings;
 }
 
+/// Mean of a stress component over the volume of all particles, Pa.
+template <int Dim>
+double mean_stress(const Particles<Dim>& p, int component) {
+  double sum = 0.0;
+  double volume = 0.0;
+  for (std::size_t i = 0; i < p.lanes(); ++i) {
+    sum += p.volume[i] * p.stress[component][i];
+    volume += p.volume[i];
+  }
+  return sum / volume;
+}
+
 }  // namespace rgimp::tests
