@@ -50,7 +50,7 @@ Json to_json(const std::optional<ClusterParticle>& first) {
 
 }  // namespace
 
-void write_clusters(const std::filesystem::path& path, const CrackClusters& cracks) {
+std::string json_text(const CrackClusters& cracks) {
   Json clusters = Json::array();
   std::size_t failed = cracks.outline + cracks.elsewhere;
   for (const CrackCluster& cluster : cracks.clusters) {
@@ -67,7 +67,11 @@ void write_clusters(const std::filesystem::path& path, const CrackClusters& crac
                   {"first_failure", to_json(cracks.first)},
                   {"cracks", clusters},
                   {"events", events}};
-  write_file(path, json.dump(1) + "\n");
+  return json.dump(1) + "\n";
+}
+
+void write_clusters(const std::filesystem::path& path, const CrackClusters& cracks) {
+  write_file(path, json_text(cracks));
 }
 
 }  // namespace rgimp

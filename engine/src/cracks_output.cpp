@@ -72,7 +72,7 @@ std::string describe(const CrackEvent& event) {
   return fmt::format("first failure at {}", event.wing);
 }
 
-void write_cracks(const fs::path& path, const Cracks& cracks) {
+std::string json_text(const Cracks& cracks) {
   Json wings = Json::array();
   std::size_t failed = cracks.outline + cracks.elsewhere;
   for (const Wing& wing : cracks.wings) {
@@ -88,7 +88,11 @@ void write_cracks(const fs::path& path, const Cracks& cracks) {
                   {"elsewhere", cracks.elsewhere},
                   {"wings", wings},
                   {"events", events}};
-  write_file(path, json.dump(1) + "\n");
+  return json.dump(1) + "\n";
+}
+
+void write_cracks(const fs::path& path, const Cracks& cracks) {
+  write_file(path, json_text(cracks));
 }
 
 }  // namespace rgimp

@@ -79,11 +79,10 @@ bool is_finished(const OutputDirectory& directory, const Simulation& simulation)
          *steps >= simulation.facts().total_steps;
 }
 
-void require_case_of(const OutputDirectory& directory, const Simulation& simulation) {
-  const fs::path file = directory.case_file();
-  if (fs::exists(file)) {
-    require_regular_file(file);
-    require_same_case(simulation.settings(), case_of_state(read_case(file)), file.string());
+void require_case_of(const fs::path& case_file, const Case& settings) {
+  if (fs::exists(case_file)) {
+    require_regular_file(case_file);
+    require_same_case(settings, case_of_state(read_case(case_file)), case_file.string());
   }
 }
 

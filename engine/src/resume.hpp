@@ -14,8 +14,8 @@ namespace rgimp {
 /// Whether a run in the directory has done all steps of the simulation's case already.
 bool is_finished(const OutputDirectory& directory, const Simulation& simulation);
 
-/// Throws CaseError where the directory holds the results of another case.
-void require_case_of(const OutputDirectory& directory, const Simulation& simulation);
+/// Throws CaseError where the case file of an output directory is there and is another case's.
+void require_case_of(const std::filesystem::path& case_file, const Case& settings);
 
 /// Where a run goes on.
 struct Resumption {

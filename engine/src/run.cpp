@@ -188,7 +188,7 @@ RunEnd resume(Simulation& simulation, const RunOptions& options, OutputDirectory
       options.on_notice(text);
     }
   };
-  require_case_of(directory, simulation);
+  require_case_of(directory.case_file(), simulation.settings());
   if (is_finished(directory, simulation)) {
     notice(fmt::format("the run in '{}' is finished: nothing to do", directory.path().string()));
     return RunEnd::was_finished;

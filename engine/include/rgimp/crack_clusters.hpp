@@ -75,7 +75,10 @@ std::vector<ClusterExtent> trace_extent(const CrackClusters& cracks, const Crack
 /// "crack 1 starts", "crack 2 reaches the top side".
 std::string describe(const ClusterEvent& event);
 
-/// Writes clusters with their extents over the steps, and events, as JSON. Throws FileError.
+/// Clusters with their extents over the steps, and events, as JSON; lengths in m.
+std::string json_text(const CrackClusters& cracks);
+
+/// Writes json_text(). Throws FileError.
 void write_clusters(const std::filesystem::path& path, const CrackClusters& cracks);
 
 }  // namespace rgimp

@@ -88,7 +88,10 @@ std::optional<double> angle_to_load(const Cracks& cracks, double angle);
 /// "first failure at A", "A and C meet", "A reaches the top side".
 std::string describe(const CrackEvent& event);
 
-/// Writes wings, their fronts over the steps, angles and events as JSON. Throws FileError.
+/// Wings, their fronts over the steps, angles and events as JSON; lengths in m.
+std::string json_text(const Cracks& cracks);
+
+/// Writes json_text(). Throws FileError.
 void write_cracks(const std::filesystem::path& path, const Cracks& cracks);
 
 }  // namespace rgimp

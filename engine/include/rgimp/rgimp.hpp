@@ -9,4 +9,5 @@
 #include "rgimp/results.hpp"
 #include "rgimp/run.hpp"
 #include "rgimp/simulation.hpp"
+#include "rgimp/sweep.hpp"
 #include "rgimp/tuning.hpp"
