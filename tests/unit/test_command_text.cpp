@@ -30,20 +30,22 @@ TEST_CASE("memory has the unit that suits it") {
 
 TEST_CASE("a progress line has speed, time left and failed points") {
   const Progress progress{500, 0, 2000, 80000, 0.2, 12};
-  CHECK(describe(progress) == "500/2,000 steps  200.0 M particle-steps/s  0.6 s left  12 failed");
-  CHECK(describe(Progress{0, 0, 2000, 80000, 0.0, 0}) == "0/2,000 steps  0 failed");
+  CHECK(line_of(progress).figures ==
+        "500/2,000 steps  200.0 M particle-steps/s  0.6 s left  12 failed");
+  CHECK(line_of(Progress{0, 0, 2000, 80000, 0.0, 0}).figures == "0/2,000 steps  0 failed");
 }
 
 TEST_CASE("a run that goes on from a checkpoint counts its own steps for speed and time left") {
   const Progress progress{1500, 1000, 2000, 80000, 0.2, 12};
-  CHECK(describe(progress) == "1,500/2,000 steps  200.0 M particle-steps/s  0.2 s left  12 failed");
+  CHECK(line_of(progress).figures ==
+        "1,500/2,000 steps  200.0 M particle-steps/s  0.2 s left  12 failed");
 }
 
 TEST_CASE("a progress line fits its terminal") {
   const Progress progress{1999, 0, 2000, 80000, 0.2, 12};
   for (std::size_t columns = 1; columns < 200; ++columns) {
-    CHECK(draw_progress(progress, columns).size() <= columns);
+    CHECK(draw_progress(line_of(progress), columns).size() <= columns);
   }
-  CHECK_THAT(draw_progress(progress, 120), Catch::StartsWith(" 99 % [####"));
-  CHECK_THAT(draw_progress(progress, 60), Catch::StartsWith(" 99 % 1,999/2,000 steps"));
+  CHECK_THAT(draw_progress(line_of(progress), 120), Catch::StartsWith(" 99 % [####"));
+  CHECK_THAT(draw_progress(line_of(progress), 60), Catch::StartsWith(" 99 % 1,999/2,000 steps"));
 }

@@ -1,0 +1,104 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <memory>
+
+#include "case_arguments.hpp"
+#include "facts.hpp"
+#include "format.hpp"
+#include "json_output.hpp"
+#include "rgimp/case_file.hpp"
+#include "verbs.hpp"
+
+namespace rgimp::cli {
+
+namespace {
+
+struct CheckArguments {
+  CaseArguments input;
+  ResultFormat format = ResultFormat::text;
+};
+
+/// Seconds a step takes, from running for about a third of a second.
+double time_steps(Simulation& simulation) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::duration<double> span{0.3};
+  constexpr std::int64_t many = 8;
+  const std::int64_t total = simulation.facts().total_steps;
+  Clock::time_point start = Clock::now();
+  simulation.run_until(std::min<std::int64_t>(total, 1));  // touches all memory: no fair sample
+  std::chrono::duration<double> elapsed = Clock::now() - start;
+  const std::int64_t chunk = elapsed < span / many ? many : 1;
+  const std::int64_t first = simulation.steps_done();
+  start = Clock::now();
+  elapsed = {};
+  while (elapsed < span && simulation.steps_done() < total) {
+    simulation.run_until(std::min(total, simulation.steps_done() + chunk));
+    elapsed = Clock::now() - start;
+  }
+  return elapsed.count() /
+         static_cast<double>(std::max<std::int64_t>(1, simulation.steps_done() - first));
+}
+
+Json facts_json(const Simulation& simulation, const std::filesystem::path& file) {
+  const Facts facts = simulation.facts();
+  const Case& settings = simulation.settings();
+  return {{"file", file.string()},
+          {"title", settings.title},
+          {"dimension", settings.dimension},
+          {"particles", facts.particles},
+          {"nodes", facts.nodes},
+          {"cell_size_m", settings.grid.cell_size},
+          {"dt_s", facts.dt},
+          {"critical_step_ratio", simulation.critical_step_ratio()},
+          {"steps", facts.total_steps},
+          {"time_s", static_cast<double>(facts.total_steps) * facts.dt},
+          {"memory_bytes", facts.memory_bytes},
+          {"peak_memory_bytes", facts.peak_memory_bytes},
+          {"isa", facts.isa},
+          {"threads", facts.threads},
+          {"warnings", check_case(settings)}};
+}
+
+void check(const CheckArguments& arguments) {
+  Simulation simulation(load_case(arguments.input));
+  const bool prints_text = arguments.format == ResultFormat::text;
+  Json json;
+  if (prints_text) {
+    print_facts(simulation, arguments.input.file);
+  } else {
+    json = facts_json(simulation, arguments.input.file);
+  }
+  const Facts facts = simulation.facts();
+  const double step_seconds = time_steps(simulation);
+  const double speed = static_cast<double>(facts.particles) / step_seconds;
+  const double seconds = static_cast<double>(facts.total_steps) * step_seconds;
+  if (!prints_text) {
+    json["particle_steps_per_second"] = speed;  // null where it took no time that can be measured
+    json["estimated_wall_s"] = seconds;
+    print_json(json);
+  } else if (step_seconds > 0.0) {
+    print_line("speed", describe_speed(speed));
+    print_line("estimated time", format_duration(seconds));
+  }
+}
+
+}  // namespace
+
+void add_check(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "check", "Read a case, try a few steps in memory and say what a run would take");
+  const auto arguments = std::make_shared<CheckArguments>();
+  add_case_options(*command, arguments->input);
+  command->add_flag_callback(
+      "--json", [arguments] { arguments->format = ResultFormat::json; },
+      "Print the figures as JSON, in SI units, and nothing else on stdout");
+  command->footer(
+      "Examples:\n"
+      "  rgimp check single_flaw.toml\n"
+      "  rgimp check single_flaw.toml --set grid.cell_size=0.25e-3 --threads 8\n"
+      "  rgimp check single_flaw.toml --json | jq .estimated_wall_s");
+  command->callback([arguments] { check(*arguments); });
+}
+
+}  // namespace rgimp::cli
