@@ -22,6 +22,7 @@ void describe_app(CLI::App& app) {
   app.require_subcommand(0, 1);
   app.footer(
       "Examples:\n"
+      "  rgimp new single-flaw             a commented case file, single_flaw.toml\n"
       "  rgimp check single_flaw.toml      what a run would take\n"
       "  rgimp run single_flaw.toml        run it; results in single_flaw/\n"
       "  rgimp cracks single_flaw          its cracks in numbers\n"
@@ -45,6 +46,7 @@ int parse_and_run(int argc, char** argv) {
                "rgimp");
   describe_app(app);
   int exit_code = kDone;
+  add_new(app);
   add_run(app, exit_code);
   add_check(app);
   add_sweep(app, exit_code);

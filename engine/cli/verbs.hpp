@@ -8,6 +8,8 @@ class App;
 /// while it parses; what it ends with goes to `exit_code`. Errors are exceptions (rgimp/error.hpp).
 namespace rgimp::cli {
 
+/// `rgimp new`: writes a case file to start from.
+void add_new(CLI::App& app);
 /// `rgimp run`: runs a case to its end and writes its output directory.
 void add_run(CLI::App& app, int& exit_code);
 /// `rgimp check`: says what a run would be, after trying a few steps in memory.
