@@ -48,7 +48,7 @@ int parse_and_run(int argc, char** argv) {
   int exit_code = kDone;
   add_new(app);
   add_run(app, exit_code);
-  add_check(app);
+  add_check(app, exit_code);
   add_sweep(app, exit_code);
   add_cracks(app);
   add_info(app);

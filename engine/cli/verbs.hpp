@@ -13,7 +13,7 @@ void add_new(CLI::App& app);
 /// `rgimp run`: runs a case to its end and writes its output directory.
 void add_run(CLI::App& app, int& exit_code);
 /// `rgimp check`: says what a run would be, after trying a few steps in memory.
-void add_check(CLI::App& app);
+void add_check(CLI::App& app, int& exit_code);
 /// `rgimp sweep`: runs a case for every combination of some of its values.
 void add_sweep(CLI::App& app, int& exit_code);
 /// `rgimp cracks`: says how the cracks of an output directory grew.

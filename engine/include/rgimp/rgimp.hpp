@@ -9,5 +9,6 @@
 #include "rgimp/results.hpp"
 #include "rgimp/run.hpp"
 #include "rgimp/simulation.hpp"
+#include "rgimp/specimen.hpp"
 #include "rgimp/sweep.hpp"
 #include "rgimp/tuning.hpp"

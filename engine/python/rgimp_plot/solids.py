@@ -136,33 +136,34 @@ class Space:
                                            linewidth=0.1, zorder=1), autolim=False)
         for outline in self.bodies:
             add_outline(axes, camera, outline, OUTLINE, seen=True)
-        self.add_axes_names(axes, camera)
-
-    def add_axes_names(self, axes, camera):
-        """The specimen's measures, at the middles of three edges in view."""
-        sign = np.where(camera.towards > 0, 1.0, -1.0)
-        middle, half = (self.low + self.high) / 2, (self.high - self.low) / 2
-        for axis, name in enumerate("xyz"):
-            # Of the edges along an axis, that one which lies lowest, or for y farthest left.
-            others = [other for other in range(3) if other != axis]
-            places = []
-            for signs in ((1, -1), (-1, 1), (1, 1), (-1, -1)):
-                place = middle.copy()
-                place[others] += np.array(signs) * half[others]
-                places.append(place)
-            seen = [place for place in places
-                    if any((place - middle)[other] * sign[other] > 0 for other in others)]
-            flat = [camera.project(place) for place in seen]
-            at = min(flat, key=lambda place: place[0] if axis == 1 else place[1])
-            away = at - camera.project(middle)
-            away = np.array([np.sign(away[0]), 0.0]) if axis == 1 else away / np.linalg.norm(away)
-            at = at + 0.035 * np.linalg.norm(2 * half) * away
-            axes.text(*at, f"{name}: {2 * half[axis]:g} mm", fontsize=7.5, color=style.MARK,
-                      rotation=90 if axis == 1 else 0, ha="center", va="center")
+        add_measures(axes, camera, self.low, self.high)
 
     def remark(self, snapshot):
         removed = self.first.count() - snapshot.count()
         return particles.remarks(0, snapshot.left_out, removed)
+
+
+def add_measures(axes, camera, low, high):
+    """The specimen's edges in mm, at the middles of three of them in view."""
+    sign = np.where(camera.towards > 0, 1.0, -1.0)
+    middle, half = (low + high) / 2, (high - low) / 2
+    for axis, name in enumerate("xyz"):
+        # Of the edges along an axis, that one which lies lowest, or for y farthest left.
+        others = [other for other in range(3) if other != axis]
+        places = []
+        for signs in ((1, -1), (-1, 1), (1, 1), (-1, -1)):
+            place = middle.copy()
+            place[others] += np.array(signs) * half[others]
+            places.append(place)
+        seen = [place for place in places
+                if any((place - middle)[other] * sign[other] > 0 for other in others)]
+        flat = [camera.project(place) for place in seen]
+        at = min(flat, key=lambda place: place[0] if axis == 1 else place[1])
+        away = at - camera.project(middle)
+        away = np.array([np.sign(away[0]), 0.0]) if axis == 1 else away / np.linalg.norm(away)
+        at = at + 0.035 * np.linalg.norm(2 * half) * away
+        axes.text(*at, f"{name}: {2 * half[axis]:g} mm", fontsize=7.5, color=style.MARK,
+                  rotation=90 if axis == 1 else 0, ha="center", va="center")
 
 
 def add_outline(axes, camera, outline, colour, seen=None, width=0.8):
