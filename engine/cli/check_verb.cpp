@@ -136,7 +136,11 @@ void add_check(CLI::App& app, int& exit_code) {
       "  rgimp check single_flaw.toml\n"
       "  rgimp check single_flaw.toml --picture specimen.png\n"
       "  rgimp check single_flaw.toml --set grid.cell_size=0.25e-3 --threads 8\n"
-      "  rgimp check single_flaw.toml --json | jq .estimated_wall_s");
+      "  rgimp check single_flaw.toml --json | jq .estimated_wall_s\n"
+      "\n"
+      "Keys of --json: file, title, dimension, particles, nodes, cell_size_m, dt_s,\n"
+      "critical_step_ratio (dt/dt_cr), steps, time_s (simulated), memory_bytes,\n"
+      "peak_memory_bytes, isa, threads, warnings, particle_steps_per_second, estimated_wall_s.");
   command->callback([arguments, &exit_code] { exit_code = check(*arguments); });
 }
 

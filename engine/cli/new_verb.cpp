@@ -113,8 +113,8 @@ void write_template(const NewArguments& arguments) {
 void add_new(CLI::App& app) {
   CLI::App* command = app.add_subcommand("new", "Write a commented case file to start from");
   const auto arguments = std::make_shared<NewArguments>();
-  CLI::Option* name = command->add_option("TEMPLATE", arguments->name, "One of those of --list")
-                          ->type_name("TEMPLATE");
+  CLI::Option* name =
+      command->add_option("TEMPLATE", arguments->name, "One of those of --list")->type_name("NAME");
   command
       ->add_option("-o,--output", arguments->file,
                    "The case file, by default in this directory and named after the template")

@@ -166,7 +166,12 @@ void add_sweep(CLI::App& app, int& exit_code) {
       "runs. sweep.csv has a row for each, from the start on; what does not depend on time is the\n"
       "same whatever --jobs and --threads. closure_at_peak_mm is that of the highest row of\n"
       "history.csv. Status: finished, pending, stopped (by a signal, with a checkpoint), physics\n"
-      "stopped or failed (its message says why). Exit code 3 if any case failed.");
+      "stopped or failed (its message says why). Exit code 3 if any case failed.\n"
+      "\n"
+      "Keys of --json: directory and cases, of which each has case, set (the values), status and\n"
+      "message; with peak_axial_stress_Pa, closure_at_peak_m, first_failure (null, or step,\n"
+      "closure_m, axial_stress_Pa, position_m, mode), failed_tension, failed_shear, energy_error\n"
+      "and wall_s once it finished or the physics stopped it.");
   command->callback([arguments, &exit_code] { exit_code = run_all(*arguments); });
 }
 

@@ -20,6 +20,9 @@ install(FILES ${CMAKE_CURRENT_LIST_DIR}/rgimpConfig.cmake
               ${PROJECT_BINARY_DIR}/rgimpConfigVersion.cmake DESTINATION ${package})
 
 install(TARGETS rgimp)
+install(FILES ${PROJECT_SOURCE_DIR}/engine/cli/man/rgimp.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES ${PROJECT_SOURCE_DIR}/engine/cli/completion/rgimp.bash
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME rgimp)
 
 # rgimp-plot finds its modules beside the file that a link to it leads to.
 set(python ${PROJECT_SOURCE_DIR}/engine/python)

@@ -1,6 +1,7 @@
 """--json: what the command prints for programs, and nothing else on stdout."""
 
 import json
+import re
 import unittest
 
 from command_test import PHYSICS_STOPPED, STEPS, WRONG_REQUEST, CommandTest
@@ -48,6 +49,15 @@ class JsonTest(CommandTest):
         self.assertGreater(printed["particle_steps_per_second"], 0)
         self.assertGreater(printed["estimated_wall_s"], 0)
         self.assertEqual(printed["warnings"], [])
+
+    def test_help_names_the_keys(self):
+        printed, _ = self.json_of("check", self.case)
+        words = re.findall(r"\w+", self.rgimp("check", "--help").stdout)
+        self.assertLessEqual(set(printed), set(words))
+        printed, _ = self.json_of("sweep", self.case, "--set", "platen[0].speed=-1|1", "-o", "out")
+        words = re.findall(r"\w+", self.rgimp("sweep", "--help").stdout)
+        one = printed["cases"][0]
+        self.assertLessEqual({*printed, *one, *one["first_failure"]}, set(words))
 
     def test_check_lists_warnings(self):
         printed, stderr = self.json_of("check", self.case, "--set", "output.snapshot_steps=[999]")

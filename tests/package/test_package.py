@@ -60,6 +60,11 @@ class Package(unittest.TestCase):
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertIn(f"no such directory: {nothing}", done.stderr)
 
+    def test_man_page_and_completion_are_where_they_are_looked_for(self):
+        share = self.prefix / "share"
+        self.assertTrue((share / "man/man1/rgimp.1").is_file())
+        self.assertTrue((share / "bash-completion/completions/rgimp").is_file())
+
     def test_subdirectory_brings_no_tests_and_installs_nothing(self):
         build = self.folder / "add_subdirectory"
         configure(HERE / "add_subdirectory", build, f"-DRGIMP_SOURCE={SOURCE}")
