@@ -3,7 +3,7 @@
 import shutil
 import unittest
 
-from test_resume import ResumeTest
+from resume_test import ResumeTest
 
 
 class SpaceTest(ResumeTest):

@@ -9,7 +9,8 @@ import subprocess
 import time
 import unittest
 
-from command_test import CASE, COMMAND, FILE_TROUBLE, PHYSICS_STOPPED, WRONG_REQUEST, CommandTest
+from command_test import COMMAND, FILE_TROUBLE, PHYSICS_STOPPED, WRONG_REQUEST, CommandTest
+from resume_test import hear_signals
 
 HEADER = ["case", "platen[0].speed", "time.integrator", "peak_axial_stress_MPa",
           "closure_at_peak_mm", "first_failure_step", "first_failure_closure_mm",
@@ -197,7 +198,7 @@ class ResumeTest(SweepTest):
         """Sends SIGINT when the second case is under way."""
         with subprocess.Popen([COMMAND, "sweep", self.case, "-o", "out", *arguments],
                               cwd=self.place, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                              text=True) as process:
+                              text=True, preexec_fn=hear_signals) as process:
             limit = time.monotonic() + 60
             while not (self.place / "out/002/history.csv").exists():
                 self.assertLess(time.monotonic(), limit)

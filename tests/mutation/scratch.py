@@ -15,7 +15,8 @@ PROGRAMS = ("binning", "guards", "parallel", "failure", "geometry", "case_file",
             "conservation", "kernels", "platens", "cracking", "elastic", "determinism",
             "checkpoint")
 # Slow tests of the command, for mutants that name them.
-SCRIPTS = {"resume": "tests/cli/test_resume.py"}
+SCRIPTS = {"resume": "tests/cli/test_resume.py",
+           "resume_damage": "tests/cli/test_resume_damage.py"}
 # What the build reads, but for the sources of other programs.
 COPIED = ("CMakeLists.txt", "engine/**/*", "kernels/**/*", "tests/**/*", "examples/*.toml")
 # Compiling the kernels takes most of a mutant's time, so it is done once: the units of the other
