@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <memory>
 #include <set>
 
@@ -114,7 +115,9 @@ int run_all(const SweepArguments& arguments) {
   };
   const std::vector<SweepOutcome> outcomes = run_sweep(sweep, options);
   display.clear();
-  print_outcomes(arguments, sweep, outcomes);
+  if (interruption.signal() != SIGPIPE) {  // else nobody reads them
+    print_outcomes(arguments, sweep, outcomes);
+  }
   return report_end(arguments, outcomes, interruption.signal());
 }
 

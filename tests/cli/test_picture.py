@@ -14,7 +14,7 @@ from command_test import CASE, COMMAND, FILE_TROUBLE, PHYSICS_STOPPED, WRONG_REQ
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "engine/python"))
-from rgimp_plot import specimen  # noqa: E402
+from rgimp_plot import specimen_views as views  # noqa: E402
 
 SLOT = """
 [[flaw]]
@@ -71,26 +71,33 @@ class PictureTest(CommandTest):
 
     def test_particles_flaw_and_platens(self):
         self.assertIn("specimen.png", self.draw(CASE + SLOT).stdout)
-        with_flaw = self.count(specimen.MATERIALS[0])
-        self.assertGreater(self.count(specimen.FLAW), 300)
+        with_flaw = self.count(views.MATERIALS[0])
+        self.assertGreater(self.count(views.FLAW), 300)
         # Two bars as wide as the block, a fiftieth of the grid's 15 mm high: 6 % of the block.
-        self.assertAlmostEqual(self.count(specimen.PLATEN) / with_flaw, 0.06 / 0.64 / 0.91,
+        self.assertAlmostEqual(self.count(views.PLATEN) / with_flaw, 0.06 / 0.64 / 0.91,
                                delta=0.03)
         self.draw(CASE)
         # The flaw takes 4.5 of the block's 50 mm2.
-        self.assertAlmostEqual(with_flaw / self.count(specimen.MATERIALS[0]), 0.91, delta=0.02)
-        self.assertEqual(self.count(specimen.MATERIALS[1]), 0)
+        self.assertAlmostEqual(with_flaw / self.count(views.MATERIALS[0]), 0.91, delta=0.02)
+        self.assertEqual(self.count(views.MATERIALS[1]), 0)
 
     def test_materials_have_colours_of_their_own(self):
         self.draw(CASE + SECOND, "--set", "platen=[]")
-        block, disk = (self.count(colour) for colour in specimen.MATERIALS[:2])
+        block, disk = (self.count(colour) for colour in views.MATERIALS[:2])
         self.assertAlmostEqual(disk / block, numpy.pi * 2.5**2 / 50, delta=0.03)
-        self.assertEqual(self.count(specimen.FLAW), 0)
+        self.assertEqual(self.count(views.FLAW), 0)
+
+    def test_odd_names(self):
+        """Of a material: no formula, and not left out for its underscore."""
+        for name in ("_$\\frac{1$", "x" * 500):
+            self.draw(CASE.replace('"rock"', f"'{name}'").replace("material.rock",
+                                                                  f"material.'{name}'"))
+            self.assertGreater(self.count(views.MATERIALS[0]), 10000)
 
     def test_three_dimensions(self):
         self.draw(IN_SPACE)
-        self.assertGreater(self.count(specimen.MATERIALS[0]), 20000)
-        self.assertGreater(self.count(specimen.FLAW), 100)
+        self.assertGreater(self.count(views.MATERIALS[0]), 20000)
+        self.assertGreater(self.count(views.FLAW), 100)
         self.assertGreater(self.pixels.shape[1], self.pixels.shape[0])
 
     def test_it_is_drawn_before_any_step(self):
