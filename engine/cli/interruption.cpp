@@ -1,5 +1,6 @@
 #include "interruption.hpp"
 
+#include <atomic>
 #include <csignal>
 
 namespace rgimp::cli {
@@ -8,7 +9,10 @@ namespace {
 
 constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
 
-volatile std::sig_atomic_t g_signal = 0;  // 0: none yet; a handler can reach nothing else
+// 0: none yet. A handler can reach nothing but a global; threads of a sweep read it meanwhile,
+// which std::sig_atomic_t is not made for.
+std::atomic<int> g_signal = 0;
+static_assert(std::atomic<int>::is_always_lock_free, "a lock would not do in a handler");
 
 void note(int signal) {
   g_signal = signal;
@@ -35,7 +39,8 @@ Interruption::~Interruption() {
 }
 
 std::optional<int> Interruption::signal() const {
-  return g_signal == 0 ? std::nullopt : std::optional<int>(g_signal);
+  const int signal = g_signal;
+  return signal == 0 ? std::nullopt : std::optional<int>(signal);
 }
 
 }  // namespace rgimp::cli

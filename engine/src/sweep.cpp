@@ -66,6 +66,7 @@ std::vector<std::string> values_of(const std::vector<SweepRange>& ranges, std::s
 std::vector<std::string> overrides_of(const std::vector<Change>& changes,
                                       const std::vector<std::string>& values) {
   std::vector<std::string> overrides;
+  overrides.reserve(changes.size());
   auto value = values.begin();
   for (const Change& change : changes) {
     overrides.push_back(

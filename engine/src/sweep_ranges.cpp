@@ -77,7 +77,7 @@ std::vector<std::string> steps(std::string_view change,
     refuse(change, fmt::format("makes {:.4g} values; expected at most {:.0f}", count, kMostValues));
   }
   std::vector<std::string> texts;
-  for (double i = 0.0; i < count; ++i) {
+  for (int i = 0; i < static_cast<int>(count); ++i) {
     texts.push_back(fmt::format("{:.12g}", start + i * step + 0.0));  // never -0
   }
   return texts;
