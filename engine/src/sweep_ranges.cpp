@@ -77,6 +77,7 @@ std::vector<std::string> steps(std::string_view change,
     refuse(change, fmt::format("makes {:.4g} values; expected at most {:.0f}", count, kMostValues));
   }
   std::vector<std::string> texts;
+  texts.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < static_cast<int>(count); ++i) {
     texts.push_back(fmt::format("{:.12g}", start + i * step + 0.0));  // never -0
   }

@@ -15,22 +15,23 @@
 /// A sweep: one case run for every combination of some of its values, several at once.
 namespace rgimp {
 
-/// A key that a sweep varies, and its values as TOML texts.
+/// A key that a sweep varies.
 struct SweepRange {
-  std::string key;
-  std::vector<std::string> values;
+  std::string key;                  ///< "flaw[0].angle"
+  std::vector<std::string> values;  ///< as TOML texts
 };
 
 /// One combination.
 struct SweepCase {
   std::string name;                 ///< "001", the first; also of its directory
   std::vector<std::string> values;  ///< one for each range
-  Case settings;
+  Case settings;                    ///< with these values
 };
 
+/// The product of some ranges.
 struct Sweep {
-  std::vector<SweepRange> ranges;
-  std::vector<SweepCase> cases;  ///< the last range varies fastest
+  std::vector<SweepRange> ranges;  ///< in the order in which they were given
+  std::vector<SweepCase> cases;    ///< the last range varies fastest
 };
 
 /// Reads a case file once for every combination of the ranges among `overrides`, which are those of
@@ -49,38 +50,46 @@ std::string describe(const Sweep& sweep, const SweepCase& one);
 struct SweepFigures {
   double peak_axial_stress = 0.0;  ///< Pa, compression > 0, largest over all steps
   double closure_at_peak = 0.0;    ///< m, at the row of history.csv with the largest stress
-  std::optional<FirstFailure> first_failure;
-  std::int64_t failed_tension = 0;
-  std::int64_t failed_shear = 0;
-  double energy_error = 0.0;  ///< 1
-  double wall_seconds = 0.0;  ///< of the process that ended it, start-up left out
+  std::optional<FirstFailure> first_failure;  ///< none: nothing failed
+  std::int64_t failed_tension = 0;            ///< particles at the end
+  std::int64_t failed_shear = 0;              ///< likewise
+  double energy_error = 0.0;                  ///< 1, as in summary.json
+  double wall_seconds = 0.0;                  ///< of the process that ended it, start-up left out
 };
 
-/// Pending cases have not come to an end yet, stopped ones have a checkpoint, the physics stopped
-/// some with an error, and others could not be run or written.
-enum class SweepStatus { pending, finished, stopped, physics_stopped, failed };
+/// How a case of a sweep is doing.
+enum class SweepStatus {
+  pending,          ///< it has not come to an end
+  finished,         ///< all its steps are done
+  stopped,          ///< on request, with a checkpoint
+  physics_stopped,  ///< by a PhysicsError
+  failed            ///< by any other error: it could not be run, or not be written
+};
 
 /// "physics stopped"
 std::string_view describe(SweepStatus status);
 
+/// What became of a case of a sweep.
 struct SweepOutcome {
-  SweepStatus status = SweepStatus::pending;
-  std::string message;                  ///< why it did not finish
+  SweepStatus status = SweepStatus::pending;  ///< how it ended, if it did
+  std::string message;                        ///< why it did not finish
   std::optional<SweepFigures> figures;  ///< of a case that finished or that the physics stopped
 };
 
 /// How far a sweep is, in cases: 2.5 are two whole ones and half of another.
 struct SweepProgress {
-  std::size_t cases = 0;
-  std::size_t ended = 0;
-  std::size_t running = 0;
-  double done = 0.0;
-  double computed = 0.0;  ///< of `done`, what this call computed itself
-  double seconds = 0.0;   ///< since its start
+  std::size_t cases = 0;    ///< in all
+  std::size_t ended = 0;    ///< whole ones, however they ended
+  std::size_t running = 0;  ///< now
+  double done = 0.0;        ///< of all cases, parts of them too
+  double computed = 0.0;    ///< of `done`, what this call computed itself
+  double seconds = 0.0;     ///< since its start
 };
 
+/// How a sweep is run.
 struct SweepOptions {
-  std::filesystem::path directory;
+  std::filesystem::path directory;  ///< of sweep.csv and of the cases' directories
+  /// What to do where that directory is not empty.
   ExistingOutput existing = ExistingOutput::refuse;
   int jobs = 1;  ///< cases at once, each with its Tuning::threads
   /// Called a few times a second, by one thread at a time; may be empty.
