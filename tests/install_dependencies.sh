@@ -11,9 +11,9 @@ packages=(
   libeigen3-dev libtbb-dev libxsimd-dev libhdf5-dev libtomlplusplus-dev libcli11-dev libfmt-dev
   nlohmann-json3-dev libxxhash-dev
   # tests and benchmarks
-  catch2 libbenchmark-dev python3-vtk9 groff-base
-  # pictures
-  python3 python3-numpy python3-h5py python3-matplotlib
+  catch2 libbenchmark-dev python3-vtk9 groff-base chromium chromium-driver python3-selenium
+  # pictures and reports
+  python3 python3-numpy python3-h5py python3-matplotlib python3-jinja2
   "$@"
 )
 

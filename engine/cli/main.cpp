@@ -29,6 +29,7 @@ void describe_app(CLI::App& app) {
       "  rgimp sweep single_flaw.toml --set 'flaw[0].angle=0:90:15' -o angles\n"
       "                                    seven angles, as many at once as there are threads\n"
       "  rgimp-plot single_flaw            pictures of the results\n"
+      "  rgimp report single_flaw          a page about them\n"
       "  rgimp run --help                  options of a subcommand\n"
       "\n"
       "Exit codes: 0 done, 2 wrong command line or case, 3 the physics stopped the run or a case "
@@ -51,6 +52,7 @@ int parse_and_run(int argc, char** argv) {
   add_check(app, exit_code);
   add_sweep(app, exit_code);
   add_cracks(app);
+  add_report(app, exit_code);
   add_info(app);
   try {
     app.parse(argc, argv);

@@ -1,5 +1,5 @@
 # What `cmake --install` puts under the prefix: the static libraries, the public headers, the CMake
-# package, the two commands and the example cases.
+# package, the commands and the example cases.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
@@ -24,15 +24,18 @@ install(FILES ${PROJECT_SOURCE_DIR}/engine/cli/man/rgimp.1 DESTINATION ${CMAKE_I
 install(FILES ${PROJECT_SOURCE_DIR}/engine/cli/completion/rgimp.bash
         DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME rgimp)
 
-# rgimp-plot finds its modules beside the file that a link to it leads to.
+# Programs in Python find their modules beside the file that a link to them leads to.
 set(python ${PROJECT_SOURCE_DIR}/engine/python)
-install(PROGRAMS ${python}/rgimp-plot DESTINATION ${share}/python)
-install(DIRECTORY ${python}/rgimp_plot DESTINATION ${share}/python
-        FILES_MATCHING PATTERN *.py PATTERN __pycache__ EXCLUDE)
-file(RELATIVE_PATH plot ${CMAKE_INSTALL_FULL_BINDIR}
-     ${CMAKE_INSTALL_FULL_DATADIR}/rgimp/python/rgimp-plot)
-file(CREATE_LINK ${plot} ${PROJECT_BINARY_DIR}/rgimp-plot SYMBOLIC)
-install(FILES ${PROJECT_BINARY_DIR}/rgimp-plot TYPE BIN)
+foreach(program rgimp-plot rgimp-report)
+  install(PROGRAMS ${python}/${program} DESTINATION ${share}/python)
+  file(RELATIVE_PATH target ${CMAKE_INSTALL_FULL_BINDIR}
+       ${CMAKE_INSTALL_FULL_DATADIR}/rgimp/python/${program})
+  file(CREATE_LINK ${target} ${PROJECT_BINARY_DIR}/${program} SYMBOLIC)
+  install(FILES ${PROJECT_BINARY_DIR}/${program} TYPE BIN)
+endforeach()
+install(DIRECTORY ${python}/rgimp_plot ${python}/rgimp_report DESTINATION ${share}/python
+        FILES_MATCHING PATTERN *.py PATTERN *.jinja PATTERN *.css PATTERN *.js
+        PATTERN __pycache__ EXCLUDE)
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/ DESTINATION ${share}/examples
         FILES_MATCHING PATTERN *.toml PATTERN pictures EXCLUDE)

@@ -54,9 +54,14 @@ bool is_top_file(const fs::path& file) {
 
 /// What rgimp-plot draws: beside new results, pictures of the replaced ones would mislead.
 bool is_picture(const fs::path& file) {
-  constexpr std::array<std::string_view, 5> names{"crack.png", "stress.png", "growth.png",
-                                                  "stress_closure.png", "energy.png"};
+  constexpr std::array<std::string_view, 6> names{"crack.png",  "slices.png",         "stress.png",
+                                                  "growth.png", "stress_closure.png", "energy.png"};
   return is_one_of(file, names);
+}
+
+/// What rgimp-report writes, for the same reason.
+bool is_report(const fs::path& file) {
+  return file.filename() == "report.html";
 }
 
 bool is_snapshot_file(const fs::path& file) {
@@ -84,6 +89,7 @@ void remove_files(const fs::path& directory, Choice is_ours) {
 void remove_own_files(const fs::path& directory) {
   remove_files(directory / kSnapshots, is_snapshot_file);
   remove_files(directory / kPictures, is_picture);
+  remove_files(directory, is_report);
   remove_files(directory, is_top_file);
 }
 

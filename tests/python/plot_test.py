@@ -25,27 +25,30 @@ STEPS = (0, 1000, 2000, 3000)
 Finished = namedtuple("Finished", "returncode stdout stderr")
 
 
-def load_program():
-    sys.path.insert(0, str(PROGRAM.parent))
-    loader = importlib.machinery.SourceFileLoader("rgimp_plot_program", str(PROGRAM))
+def load_program(path):
+    sys.path.insert(0, str(path.parent))
+    loader = importlib.machinery.SourceFileLoader(path.name.replace("-", "_") + "_program",
+                                                  str(path))
     program = importlib.util.module_from_spec(
         importlib.util.spec_from_loader(loader.name, loader))
     loader.exec_module(program)
     return program
 
 
-MAIN = load_program().main
+MAINS = {}  # program -> its main function
 
 
-def run(*arguments):
-    """Runs the program in this process: starting Python and matplotlib takes most of its time."""
+def run(*arguments, program=PROGRAM):
+    """Runs a program in this process: starting Python and matplotlib takes most of its time."""
+    if program not in MAINS:
+        MAINS[program] = load_program(program).main
     out, err = io.StringIO(), io.StringIO()
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), \
-            mock.patch.object(sys, "argv", [str(PROGRAM), *map(str, arguments)]), \
+            mock.patch.object(sys, "argv", [str(program), *map(str, arguments)]), \
             warnings.catch_warnings():
         warnings.simplefilter("always")  # each test sees its own
         try:
-            code = MAIN()
+            code = MAINS[program]()
         except SystemExit as stop:  # argparse
             code = stop.code
     return Finished(code, out.getvalue(), err.getvalue())

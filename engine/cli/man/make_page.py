@@ -60,7 +60,11 @@ A sweep's directory has such a directory for each case, and a table of them all,
 .IR sweep.csv .
 .SH SEE ALSO
 .BR rgimp\-plot ,
-which draws the pictures of an output directory.
+which draws the pictures of an output directory, and
+.BR rgimp\-report ,
+which
+.B rgimp report
+runs.
 """
 
 
