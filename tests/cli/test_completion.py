@@ -64,12 +64,13 @@ class CompletionTest(CommandTest):
 
     def test_what_options_and_positionals_take(self):
         (self.place / "out put").mkdir()
-        for name in ("b.png", "c.txt", "d.toml"):
+        for name in ("b.png", "c.txt", "d.toml", "e.html"):
             (self.place / name).touch()
         directories = ["out put"]
         files = {"DIR": directories, "FILE.toml": ["block.toml", "d.toml", *directories],
-                 "FILE.png": ["b.png", *directories], "N": [], "KEY=VALUE": [],
-                 "FILE": ["b.png", "block.toml", "c.txt", "d.toml", *directories]}
+                 "FILE.png": ["b.png", *directories], "FILE.html": ["e.html", *directories],
+                 "N": [], "KEY=VALUE": [],
+                 "FILE": ["b.png", "block.toml", "c.txt", "d.toml", "e.html", *directories]}
         taken = set()
         for verb in self.verbs():
             for option, kind in self.options(verb).items():
