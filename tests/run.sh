@@ -15,6 +15,7 @@ stages=( # NAME | gate or nightly | what it does
   "tsan|nightly|every test under ThreadSanitizer; tests/tsan.supp lists what is let pass"
   "debug|nightly|every test of the debug build, whose warnings are errors"
   "valgrind|nightly|memcheck over the unit tests and a small run, its cracks included"
+  "docs|nightly|the site of engine/docs, whose warnings are errors, and its formulas in a browser"
   "tidy|nightly|clang-tidy over every source file"
 )
 
@@ -94,6 +95,17 @@ stage_valgrind() {
     RGIMP_ISA=baseline "${memcheck[@]}" build/release/tests/"$program"
   done
   RGIMP_ISA=baseline small_run "${memcheck[@]}" build/release/bin/rgimp
+}
+
+# MathJax puts a merror where it does not know what a formula asks for.
+stage_docs() {
+  bash "$rgimp_root/engine/docs/build.sh"
+  step "Formulas in a browser"
+  local theory="file://$rgimp_root/out/docs/md_engine_docs_theory.html" dom
+  dom=$(chromium --headless --no-sandbox --disable-gpu --virtual-time-budget=20000 \
+    --dump-dom "$theory" 2>/dev/null)
+  grep --quiet 'class="MathJax"' <<<"$dom" || fail "no formula was set"
+  ! grep --quiet --extended-regexp 'class="(merror|noError)"' <<<"$dom" || fail "MathJax did not understand a formula of $theory"
 }
 
 # With the flags of the release build, but for those that clang does not know.
