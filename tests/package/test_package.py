@@ -53,12 +53,14 @@ class Package(unittest.TestCase):
         self.assertEqual(summary["steps"], STEPS)
         self.assertEqual(state_hash, summary["state_hash"])
 
-    def test_installed_rgimp_plot_finds_its_modules(self):
+    def test_installed_programs_in_python_find_their_modules(self):
         nothing = self.folder / "nothing"
-        done = subprocess.run([self.prefix / "bin/rgimp-plot", nothing], capture_output=True,
-                              text=True)
-        self.assertEqual(done.returncode, 2, done.stderr)
-        self.assertIn(f"no such directory: {nothing}", done.stderr)
+        for words in (["rgimp-plot"], ["rgimp-report"], ["rgimp", "report"]):
+            with self.subTest(words):
+                done = subprocess.run([self.prefix / "bin" / words[0], *words[1:], nothing],
+                                      capture_output=True, text=True)
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertIn(f"no such directory: {nothing}", done.stderr)
 
     def test_man_page_and_completion_are_where_they_are_looked_for(self):
         share = self.prefix / "share"

@@ -66,6 +66,8 @@ TEST_CASE("replacing deletes our own files and no others") {
                      "checkpoint_a.rgimp",
                      "checkpoint_b.rgimp.tmp",
                      "pictures/crack.png",
+                     "pictures/slices.png",
+                     "report.html",
                      "snapshots/step_000000000.vtkhdf",
                      "snapshots/step_000000100.vtkhdf.tmp",
                      "snapshots/step_1234567890.vtkhdf",
