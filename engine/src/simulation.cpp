@@ -15,6 +15,7 @@
 #include "input_file.hpp"
 #include "rgimp/case_file.hpp"
 #include "rgimp/error.hpp"
+#include "snapshot.hpp"
 #include "solver.hpp"
 #include "state_hash.hpp"
 #include "time_step.hpp"
@@ -99,6 +100,31 @@ ParticleTable table_of(const Particles<Dim>& p) {
   return table;
 }
 
+template <typename Value>
+std::span<const Value> span_of(const Column<Value>& column) {
+  return {column.data(), column.size()};
+}
+
+template <int Dim>
+ParticleColumns columns_of(const Particles<Dim>& p) {
+  static_assert(ParticleColumns::no_id == Particles<Dim>::kNoId);
+  ParticleColumns columns;
+  for (int a = 0; a < Dim; ++a) {
+    columns.position[a] = span_of(p.position[a]);
+    columns.velocity[a] = span_of(p.velocity[a]);
+  }
+  for (int c = 0; c < Particles<Dim>::kStress; ++c) {
+    columns.stress[c] = span_of(p.stress[c]);
+  }
+  columns.volume = span_of(p.volume);
+  columns.mass = span_of(p.mass);
+  columns.failed = span_of(p.failure_mode);
+  columns.damage = span_of(p.damage);
+  columns.failure_step = span_of(p.failure_step);
+  columns.id = span_of(p.id);
+  return columns;
+}
+
 /// Which of the two is decided once; steps are compiled for each.
 using AnySolver = std::variant<Solver<2>, Solver<3>>;
 
@@ -125,7 +151,7 @@ class Simulation::Implementation {
     return std::visit(visit, solver_);
   }
 
-  void run_until(std::int64_t step) {
+  void advance(std::int64_t step) {
     with_solver([&](auto& solver) {
       workers_.region([&] {
         while (solver.steps_done() < step) {
@@ -133,6 +159,27 @@ class Simulation::Implementation {
         }
       });
     });
+  }
+
+  void add_observer(std::int64_t steps, Observer observer) {
+    observers_.push_back({steps, std::move(observer)});
+  }
+
+  /// The first step from here on, `last` at most, that an observer wants to see.
+  std::int64_t next_observed(std::int64_t done, std::int64_t last) const {
+    std::int64_t next = last;
+    for (const Observation& observation : observers_) {
+      next = std::min(next, done + observation.every - done % observation.every);
+    }
+    return next;
+  }
+
+  void notify(const Simulation& simulation, std::int64_t done) const {
+    for (const Observation& observation : observers_) {
+      if (done % observation.every == 0) {
+        observation.observer(simulation);
+      }
+    }
   }
 
   HistoryRow history() {
@@ -189,10 +236,16 @@ class Simulation::Implementation {
   }
 
  private:
+  struct Observation {
+    std::int64_t every;  // steps
+    Observer observer;
+  };
+
   Case settings_;
   kernels::Isa isa_;
   Workers workers_;
   AnySolver solver_;
+  std::vector<Observation> observers_;
 };
 
 Simulation::Simulation(Case settings)
@@ -205,7 +258,19 @@ void Simulation::step() {
   run_until(steps_done() + 1);
 }
 void Simulation::run_until(std::int64_t step) {
-  implementation_->run_until(step);
+  // Observers are called between regions of the workers, as they may ask for a history row, which
+  // opens one.
+  for (std::int64_t done = steps_done(); done < step; done = steps_done()) {
+    implementation_->advance(implementation_->next_observed(done, step));
+    implementation_->notify(*this, steps_done());
+  }
+}
+void Simulation::every(std::int64_t steps, Observer observer) {
+  if (steps < 1 || !observer) {
+    throw CaseError(
+        fmt::format("every: {}, expected a number of steps from 1 up and a function", steps));
+  }
+  implementation_->add_observer(steps, std::move(observer));
 }
 void Simulation::save(const std::filesystem::path& path, std::string_view note) const {
   implementation_->save(path, note);
@@ -257,6 +322,14 @@ const Case& Simulation::settings() const {
 
 ParticleTable Simulation::particles() const {
   return implementation_->with_solver([](auto& solver) { return table_of(solver.particles()); });
+}
+
+ParticleColumns Simulation::columns() const {
+  return implementation_->with_solver([](auto& solver) { return columns_of(solver.particles()); });
+}
+
+void Simulation::write_snapshot(const std::filesystem::path& path) const {
+  rgimp::write_snapshot(path, particles(), {steps_done(), time()});
 }
 
 std::uint64_t Simulation::state_hash() const {

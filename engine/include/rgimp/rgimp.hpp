@@ -2,6 +2,7 @@
 
 #include "rgimp/case.hpp"
 #include "rgimp/case_file.hpp"
+#include "rgimp/columns.hpp"
 #include "rgimp/crack_clusters.hpp"
 #include "rgimp/cracks.hpp"
 #include "rgimp/error.hpp"

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "rgimp/case.hpp"
+#include "rgimp/columns.hpp"
 
 namespace rgimp {
 
@@ -98,9 +100,18 @@ class Simulation {
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
 
+  /// What is called while a simulation runs; it reads, and cannot change a result.
+  using Observer = std::function<void(const Simulation&)>;
+
+  /// One step. Throws PhysicsError.
   void step();
   /// Steps until `step` steps are done; nothing happens when they are. Throws PhysicsError.
   void run_until(std::int64_t step);
+  /// From now on calls `observer` after every step whose number is a multiple of `steps`, in the
+  /// order in which observers were added, on the thread that steps. What it throws ends the
+  /// stepping between two steps and comes out of step() or run_until(), which may be called again.
+  /// It must add no observer. Throws CaseError for `steps` below 1 and for an empty function.
+  void every(std::int64_t steps, Observer observer);
   /// Throws the PhysicsError of a state that must not be gone on from: a value that is not finite,
   /// a volume that is not positive, a time step beyond the critical one. Steps look at most of this
   /// every step, and at all of it every 500 steps and whenever particles change bins.
@@ -122,6 +133,11 @@ class Simulation {
   double critical_step_ratio() const;
   HistoryRow history() const;
   ParticleTable particles() const;
+  /// Nothing is copied; see there for their order and how long they are valid.
+  ParticleColumns columns() const;
+  /// Writes the particles as `rgimp run` does, for ParaView and HDF5 readers. The file is there
+  /// whole or not at all. Throws FileError.
+  void write_snapshot(const std::filesystem::path& path) const;
   std::optional<FirstFailure> first_failure() const;
   RemovedParticles removed() const;
   double peak_axial_stress() const;  ///< Pa, largest over all steps, at least 0
