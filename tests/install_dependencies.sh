@@ -9,7 +9,7 @@ packages=(
   g++ cmake ninja-build pkg-config
   # libraries
   libeigen3-dev libtbb-dev libxsimd-dev libhdf5-dev libtomlplusplus-dev libcli11-dev libfmt-dev
-  nlohmann-json3-dev libxxhash-dev
+  nlohmann-json3-dev libxxhash-dev pybind11-dev python3-dev
   # tests and benchmarks
   catch2 libbenchmark-dev python3-vtk9 groff-base chromium chromium-driver python3-selenium
   python3-pandas # of a recipe in engine/docs/data.md

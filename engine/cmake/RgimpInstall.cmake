@@ -37,6 +37,12 @@ install(DIRECTORY ${python}/rgimp_plot ${python}/rgimp_report DESTINATION ${shar
         FILES_MATCHING PATTERN *.py PATTERN *.jinja PATTERN *.css PATTERN *.js
         PATTERN __pycache__ EXCLUDE)
 
+# Where Debian's Python looks under /usr and /usr/local; elsewhere PYTHONPATH names it.
+if(RGIMP_BUILD_PYTHON)
+  install(TARGETS rgimp_python DESTINATION lib/python3/dist-packages/rgimp)
+  install(FILES ${python}/rgimp/__init__.py DESTINATION lib/python3/dist-packages/rgimp)
+endif()
+
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/ DESTINATION ${share}/examples
         FILES_MATCHING PATTERN *.toml PATTERN pictures EXCLUDE)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE TYPE DOC)

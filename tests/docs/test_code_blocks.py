@@ -78,6 +78,7 @@ class CodeBlocksTest(unittest.TestCase):
             ["timeout", str(SECONDS), *words], cwd=self.place, capture_output=True, text=True,
             check=False, stdin=subprocess.DEVNULL,
             env=os.environ | {"RGIMP_DOCS_STEPS": steps, "PYTHONDONTWRITEBYTECODE": "1",
+                              "PYTHONPATH": str(BUILD / "python"),
                               "PATH": f"{self.programs}:{os.environ['PATH']}"})
         self.assertEqual(done.returncode, 0, done.stdout[-3000:] + done.stderr[-3000:])
 

@@ -62,6 +62,12 @@ class Package(unittest.TestCase):
                 self.assertEqual(done.returncode, 2, done.stderr)
                 self.assertIn(f"no such directory: {nothing}", done.stderr)
 
+    def test_installed_python_package_is_found_under_the_prefix(self):
+        printed = output_of("env", f"PYTHONPATH={self.prefix}/lib/python3/dist-packages",
+                            "/usr/bin/python3", "-c", "import rgimp; print(rgimp.__version__)")
+        self.assertEqual(printed, output_of(self.prefix / "bin/rgimp", "--version").split()[-1]
+                         + "\n")
+
     def test_man_page_and_completion_are_where_they_are_looked_for(self):
         share = self.prefix / "share"
         self.assertTrue((share / "man/man1/rgimp.1").is_file())
