@@ -131,9 +131,8 @@ kernels::MaterialConstants material_constants(const Material& material, const Ca
   constants.limits = failure_limits(material);
   constants.softening = softening_of(material, settings);
   constants.softens = constants.softening.tension < 1.0 || constants.softening.shear < 1.0;
-  if (material.failure) {
-    set_failed_pressure(*material.failure, constants);
-  }
+  // One without a criterion can still fail by the program's own, see Simulation::set_criterion.
+  set_failed_pressure(material.failure.value_or(Failure{}), constants);
   return constants;
 }
 

@@ -63,6 +63,12 @@ void Ledger::add_particles(double dt) {
   max_speed_ = longest_move / dt;
 }
 
+void Ledger::add_failures(const OwnFailures& failures) {
+  budget_.released_energy += failures.released_energy;
+  failed_tension_ += failures.tension;
+  failed_shear_ += failures.shear;
+}
+
 bool Ledger::is_on_load_axis(const Platen& platen) const {
   return axis_of(platen.side).axis == load_axis_;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "energy.hpp"
+#include "own_failure.hpp"
 #include "platens.hpp"
 #include "rgimp/case.hpp"
 #include "rgimp/kernels/views.hpp"
@@ -29,6 +30,8 @@ class Ledger {
   void add_nodes();
   /// Adds what the rows of bins report of a step of `dt` seconds: works, failures, reach.
   void add_particles(double dt);
+  /// Adds what an own criterion did in a step.
+  void add_failures(const OwnFailures& failures);
 
   const EnergyBudget& budget() const { return budget_; }
   std::int64_t failed_tension() const { return failed_tension_; }

@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <utility>
 #include <variant>
@@ -13,6 +11,7 @@
 #include "case_size.hpp"
 #include "checkpoint_file.hpp"
 #include "input_file.hpp"
+#include "particle_table.hpp"
 #include "rgimp/case_file.hpp"
 #include "rgimp/error.hpp"
 #include "snapshot.hpp"
@@ -47,84 +46,6 @@ Case checked(Case settings) {
   return settings;
 }
 
-double max_principal_in_plane(const std::array<double, 6>& s) {
-  const double centre = 0.5 * (s[0] + s[1]);
-  const double radius = std::hypot(0.5 * (s[0] - s[1]), s[3]);
-  return std::max(centre + radius, s[2]);
-}
-
-double max_principal(const std::array<double, 6>& s) {
-  Eigen::Matrix3d tensor;
-  tensor << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
-  // Its closed form would be faster, but loses half the digits where two are equal.
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor, Eigen::EigenvaluesOnly);
-  return solver.eigenvalues()[2];
-}
-
-FailureMode failure_mode(double mode) {
-  if (mode == kernels::kFailedInTension) {
-    return FailureMode::tension;
-  }
-  return mode == kernels::kFailedInShear ? FailureMode::shear : FailureMode::intact;
-}
-
-template <int Dim>
-ParticleTable table_of(const Particles<Dim>& p) {
-  ParticleTable table;
-  const auto reserve = [&](auto&... columns) { (columns.reserve(p.count), ...); };
-  reserve(table.id, table.position, table.velocity, table.stress, table.max_principal_stress,
-          table.failed, table.damage, table.failure_step);
-  for (const std::size_t i : lanes_by_id(p)) {
-    std::array<double, 3> position{};
-    std::array<double, 3> velocity{};
-    for (int a = 0; a < Dim; ++a) {
-      position[a] = p.position[a][i];
-      velocity[a] = p.velocity[a][i];
-    }
-    std::array<double, 6> stress{};
-    for (int c = 0; c < Particles<Dim>::kStress; ++c) {
-      stress[c] = p.stress[c][i];
-    }
-    table.id.push_back(p.id[i]);
-    table.position.push_back(position);
-    table.velocity.push_back(velocity);
-    table.stress.push_back(stress);
-    table.max_principal_stress.push_back(Dim == 2 ? max_principal_in_plane(stress)
-                                                  : max_principal(stress));
-    table.failed.push_back(failure_mode(p.failure_mode[i]));
-    table.damage.push_back(p.failure_mode[i] >= kernels::kFailedInTension ? 1.0
-                           : p.damage.empty()                             ? 0.0
-                                                                          : p.damage[i]);
-    table.failure_step.push_back(p.failure_step[i]);
-  }
-  return table;
-}
-
-template <typename Value>
-std::span<const Value> span_of(const Column<Value>& column) {
-  return {column.data(), column.size()};
-}
-
-template <int Dim>
-ParticleColumns columns_of(const Particles<Dim>& p) {
-  static_assert(ParticleColumns::no_id == Particles<Dim>::kNoId);
-  ParticleColumns columns;
-  for (int a = 0; a < Dim; ++a) {
-    columns.position[a] = span_of(p.position[a]);
-    columns.velocity[a] = span_of(p.velocity[a]);
-  }
-  for (int c = 0; c < Particles<Dim>::kStress; ++c) {
-    columns.stress[c] = span_of(p.stress[c]);
-  }
-  columns.volume = span_of(p.volume);
-  columns.mass = span_of(p.mass);
-  columns.failed = span_of(p.failure_mode);
-  columns.damage = span_of(p.damage);
-  columns.failure_step = span_of(p.failure_step);
-  columns.id = span_of(p.id);
-  return columns;
-}
-
 /// Which of the two is decided once; steps are compiled for each.
 using AnySolver = std::variant<Solver<2>, Solver<3>>;
 
@@ -152,13 +73,23 @@ class Simulation::Implementation {
   }
 
   void advance(std::int64_t step) {
-    with_solver([&](auto& solver) {
-      workers_.region([&] {
-        while (solver.steps_done() < step) {
-          solver.step();
-        }
+    if (is_half_done_) {
+      throw Error("a step was left half done by an exception of one of the program's functions");
+    }
+    is_half_done_ = true;
+    try {
+      with_solver([&](auto& solver) {
+        workers_.region([&] {
+          while (solver.steps_done() < step) {
+            solver.step();
+          }
+        });
       });
-    });
+    } catch (const PhysicsError&) {  // comes between two steps
+      is_half_done_ = false;
+      throw;
+    }
+    is_half_done_ = false;
   }
 
   void add_observer(std::int64_t steps, Observer observer) {
@@ -193,6 +124,9 @@ class Simulation::Implementation {
   }
 
   void save(const std::filesystem::path& path, std::string_view note) {
+    if (is_half_done_) {
+      throw Error("no checkpoint of a step that an exception left half done");
+    }
     verify();  // a checkpoint is the last good state
     with_solver([&](auto& solver) {
       CheckpointWriter checkpoint(path, solver.steps_done());
@@ -214,6 +148,7 @@ class Simulation::Implementation {
     const CheckpointReader checkpoint(path.string(), read_bytes(path));
     require_same_case(settings_, checkpoint.label().case_text, path.string());
     with_solver([&](auto& solver) { solver.restore(checkpoint); });
+    is_half_done_ = false;
     return checkpoint.label().note;
   }
 
@@ -246,6 +181,7 @@ class Simulation::Implementation {
   Workers workers_;
   AnySolver solver_;
   std::vector<Observation> observers_;
+  bool is_half_done_ = false;  // a step, which something else than a guard ended
 };
 
 Simulation::Simulation(Case settings)
@@ -271,6 +207,15 @@ void Simulation::every(std::int64_t steps, Observer observer) {
         fmt::format("every: {}, expected a number of steps from 1 up and a function", steps));
   }
   implementation_->add_observer(steps, std::move(observer));
+}
+void Simulation::set_initial_state(const InitialField& field) {
+  implementation_->with_solver([&](auto& solver) { solver.set_initial_state(field); });
+}
+void Simulation::set_acceleration(AccelerationField field) {
+  implementation_->with_solver([&](auto& solver) { solver.set_acceleration(std::move(field)); });
+}
+void Simulation::set_criterion(FailureCriterion criterion) {
+  implementation_->with_solver([&](auto& solver) { solver.set_criterion(std::move(criterion)); });
 }
 void Simulation::save(const std::filesystem::path& path, std::string_view note) const {
   implementation_->save(path, note);

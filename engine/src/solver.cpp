@@ -142,7 +142,7 @@ void Solver<Dim>::prepare() {
       find_strain_velocity(now().momentum, bands_.completed_rows(band));
     } else {
       kernels_.scatter_all(p_, now(), bands_.rows(band));
-      advance_nodes(now(), bands_.completed_rows(band));
+      advance_nodes(now(), time(), bands_.completed_rows(band));
     }
   });
   is_prepared_ = true;
@@ -165,7 +165,7 @@ void Solver<Dim>::strain_and_move() {
   over_bands(Stage::second_pass, [&](std::ptrdiff_t band) {
     grid_.clear(bands_.cleared_rows(band), 1 - layer_);
     kernels_.strain_and_move(p_, now(), next(), update_, bands_.rows(band));
-    advance_nodes(next(), bands_.completed_rows(band));
+    advance_nodes(next(), end_of_step(steps_done_), bands_.completed_rows(band));
   });
 }
 
@@ -176,7 +176,7 @@ void Solver<Dim>::accelerate_strain_and_move() {
   over_bands(Stage::first_pass, [&](std::ptrdiff_t band) {
     grid_.clear(bands_.cleared_rows(band), 1 - layer_);
     kernels_.accelerate_strain_and_move(p_, now(), next(), update_, bands_.rows(band));
-    advance_nodes(next(), bands_.completed_rows(band));
+    advance_nodes(next(), end_of_step(steps_done_), bands_.completed_rows(band));
   });
 }
 
@@ -186,7 +186,7 @@ void Solver<Dim>::strain() {
   over_bands(Stage::first_pass, [&](std::ptrdiff_t band) {
     grid_.clear_force(bands_.cleared_rows(band), layer_);
     kernels_.strain(p_, now(), now(), update_, bands_.rows(band));
-    advance_nodes(now(), bands_.completed_rows(band));
+    advance_nodes(now(), time(), bands_.completed_rows(band));
   });
   ledger_.add_nodes();
 }
@@ -203,8 +203,10 @@ void Solver<Dim>::accelerate_and_move() {
 // On rows that no band adds to any more, while they are in cache.
 
 template <int Dim>
-void Solver<Dim>::advance_nodes(const View& grid, Range rows) {
+void Solver<Dim>::advance_nodes(const View& grid, double time, Range rows) {
+  loading_.add_forces(grid, time, node_update_.least_mass, rows);
   kernels_.update_nodes(grid, node_update_, rows, ledger_.nodes());
+  loading_.add_works(grid, dt_, node_update_.least_mass, rows, ledger_.nodes());
   platens_.impose(grid, dt_, node_update_.least_mass, rows, ledger_.platens());
 }
 
@@ -227,6 +229,7 @@ void Solver<Dim>::finish_step() {
   ++steps_done_;
   layer_ = 1 - layer_;
   ledger_.add_particles(dt_);
+  fail_by_own_criterion();
   if (!first_failure_ && ledger_.failed_tension() + ledger_.failed_shear() > 0) {
     note_first_failure();
   }
@@ -236,27 +239,6 @@ void Solver<Dim>::finish_step() {
   if (ledger_.farthest() > 1.0 - grid_.particle_half_size()) {
     rebin();
   }
-}
-
-template <int Dim>
-void Solver<Dim>::note_first_failure() {
-  std::optional<std::size_t> first;
-  for (std::size_t i = 0; i < particles_.lanes(); ++i) {
-    const bool failed = particles_.failure_mode[i] >= kernels::kFailedInTension;
-    if (failed && (!first || particles_.id[i] < particles_.id[*first])) {
-      first = i;
-    }
-  }
-  FirstFailure failure;
-  failure.step = steps_done_;
-  failure.closure = ledger_.closure(time());
-  failure.axial_stress = ledger_.axial_stress();
-  for (int a = 0; a < Dim; ++a) {
-    failure.position[a] = particles_.position[a][*first];
-  }
-  failure.mode = particles_.failure_mode[*first] == kernels::kFailedInTension ? FailureMode::tension
-                                                                              : FailureMode::shear;
-  first_failure_ = failure;
 }
 
 template <int Dim>

@@ -11,6 +11,7 @@
 #include "grid_motion.hpp"
 #include "guards.hpp"
 #include "ledger.hpp"
+#include "loading.hpp"
 #include "particles.hpp"
 #include "platens.hpp"
 #include "rgimp/kernels/table.hpp"
@@ -42,6 +43,11 @@ class Solver {
   /// All guards at once; step() calls it every kFullCheckEvery steps. Throws PhysicsError, else
   /// changes nothing.
   void verify();
+
+  // See Simulation for these.
+  void set_initial_state(const InitialField& field);
+  void set_acceleration(AccelerationField field);
+  void set_criterion(FailureCriterion criterion);
 
   std::int64_t steps_done() const { return steps_done_; }
   double time() const { return dt_ * static_cast<double>(steps_done_); }
@@ -82,7 +88,8 @@ class Solver {
   void accelerate_and_move();
 
   // Parts of a phase, on rows of nodes.
-  void advance_nodes(const View& grid, Range rows);
+  /// From `time` on, for one step.
+  void advance_nodes(const View& grid, double time, Range rows);
   void find_strain_velocity(const double* const* momentum, Range rows);
 
   template <typename Work>
@@ -101,6 +108,7 @@ class Solver {
   /// Points the views at the columns that there are now.
   void attach_particles();
   void finish_step();
+  void fail_by_own_criterion();
   void note_first_failure();
   /// Takes out the particles in these lanes, or stops; see OnExit.
   void take_out(const std::vector<std::size_t>& lanes);
@@ -120,6 +128,8 @@ class Solver {
   Bands bands_;
   std::ptrdiff_t bands_per_task_;
   Platens<Dim> platens_;
+  Loading<Dim> loading_;
+  FailureCriterion criterion_;  // empty: the materials' alone
   Ledger ledger_;
   double sound_speed_;
   double dt_;

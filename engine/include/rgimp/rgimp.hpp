@@ -6,6 +6,7 @@
 #include "rgimp/crack_clusters.hpp"
 #include "rgimp/cracks.hpp"
 #include "rgimp/error.hpp"
+#include "rgimp/extension.hpp"
 #include "rgimp/machine.hpp"
 #include "rgimp/results.hpp"
 #include "rgimp/run.hpp"

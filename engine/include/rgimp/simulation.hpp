@@ -12,10 +12,9 @@
 
 #include "rgimp/case.hpp"
 #include "rgimp/columns.hpp"
+#include "rgimp/extension.hpp"
 
 namespace rgimp {
-
-enum class FailureMode : std::uint8_t { intact = 0, tension = 1, shear = 2 };
 
 /// One row of history.csv, at the end of a step.
 struct HistoryRow {
@@ -103,7 +102,8 @@ class Simulation {
   /// What is called while a simulation runs; it reads, and cannot change a result.
   using Observer = std::function<void(const Simulation&)>;
 
-  /// One step. Throws PhysicsError.
+  /// One step. Throws PhysicsError, and what own functions throw (set_acceleration, set_criterion):
+  /// then the step is half done, and every further one an Error, until restore().
   void step();
   /// Steps until `step` steps are done; nothing happens when they are. Throws PhysicsError.
   void run_until(std::int64_t step);
@@ -112,6 +112,22 @@ class Simulation {
   /// stepping between two steps and comes out of step() or run_until(), which may be called again.
   /// It must add no observer. Throws CaseError for `steps` below 1 and for an empty function.
   void every(std::int64_t steps, Observer observer);
+  /// Sets velocity and stress of every particle, in place of the bodies' velocities and no stress.
+  /// Before the first step only: CaseError after it, for values that are not finite, a stress that
+  /// is not symmetric, and components out of the plane in 2D. Stresses need not be in equilibrium.
+  void set_initial_state(const InitialField& field);
+  /// From now on accelerates the nodes by `field` beside Case::body_acceleration, which it is like
+  /// in all else: local damping sees it, and its work is part of HistoryRow::external_work. An
+  /// empty function ends it. No checkpoint holds it: set it again before a restored simulation goes
+  /// on. What it throws comes out of step(), which is then half done: see step().
+  void set_acceleration(AccelerationField field);
+  /// From now on particles fail by `criterion` too, at the end of the step, beside the criterion of
+  /// their material where that has one, and are treated as their material says, by default as those
+  /// of the paper: no deviator, no tension. Points with a fracture energy fail at once where it
+  /// says so. Forces follow from the next step on, with USF a step later than with the material's
+  /// own; the released energy of such failures counts some 3 % too high. An empty function ends it.
+  /// Checkpoints and exceptions: as with set_acceleration.
+  void set_criterion(FailureCriterion criterion);
   /// Throws the PhysicsError of a state that must not be gone on from: a value that is not finite,
   /// a volume that is not positive, a time step beyond the critical one. Steps look at most of this
   /// every step, and at all of it every 500 steps and whenever particles change bins.
