@@ -18,7 +18,7 @@ class Loading {
   /// Before the nodes' update, so that damping sees it: adds mass times acceleration at `time`.
   void add_forces(const kernels::GridView<Dim>& grid, double time, double least_mass,
                   kernels::RowRange rows);
-  /// After it, when their new velocities are known: the forces' work of the step.
+  /// After it and the platens, when the new velocities are known: the forces' work of the step.
   void add_works(const kernels::GridView<Dim>& grid, double dt, double least_mass,
                  kernels::RowRange rows, kernels::NodeSums* by_row) const;
 

@@ -88,8 +88,10 @@ double Platens<Dim>::target(const Constraint& constraint) const {
 }
 
 template <int Dim>
-void Platens<Dim>::impose(const kernels::GridView<Dim>& grid, double dt, double least_mass,
-                          kernels::RowRange rows, std::vector<PlatenSums>& by_row) const {
+void Platens<Dim>::impose(const kernels::GridView<Dim>& grid,
+                          const kernels::NodeUpdate<Dim>& update, kernels::RowRange rows,
+                          std::vector<PlatenSums>& by_row) const {
+  const double dt = update.dt;
   for (std::ptrdiff_t row = rows.first; row < rows.last; ++row) {
     PlatenSums& sums = by_row[row];
     sums.work = 0.0;
@@ -100,10 +102,12 @@ void Platens<Dim>::impose(const kernels::GridView<Dim>& grid, double dt, double 
       double& acceleration = grid.force[constraint.component][constraint.node];
       const double mass = grid.mass[constraint.node];
       const double prescribed = target(constraint);
-      if (mass > least_mass) {
+      if (mass > update.least_mass) {
         const double before = velocity - dt * acceleration;
         const double force = mass * (prescribed - velocity) / dt;
-        sums.work += force * 0.5 * dt * (before + prescribed);
+        const double body = mass * update.body_acceleration[constraint.component];
+        sums.work +=
+            force * 0.5 * dt * (before + prescribed) + body * 0.5 * dt * (prescribed - velocity);
         if (constraint.is_normal) {
           sums.reaction[constraint.platen] +=
               force * axis_of(settings_[constraint.platen].side).towards;

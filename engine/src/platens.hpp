@@ -34,8 +34,9 @@ class Platens {
 
   /// After update_nodes: the prescribed velocity replaces velocity and acceleration
   /// (u = u_bar, Eq. 4). The reaction is the force that takes. Sets by_row[row], which holds
-  /// one reaction per platen.
-  void impose(const kernels::GridView<Dim>& grid, double dt, double least_mass,
+  /// one reaction per platen. Its work is that of the reaction, and takes back what update_nodes
+  /// booked for the body force on the way to a velocity that the node does not get.
+  void impose(const kernels::GridView<Dim>& grid, const kernels::NodeUpdate<Dim>& update,
               kernels::RowRange rows, std::vector<PlatenSums>& by_row) const;
   /// The prescribed velocity in the field that strains come from.
   void impose_on_second_field(const kernels::GridView<Dim>& grid, kernels::RowRange rows) const;

@@ -206,8 +206,8 @@ template <int Dim>
 void Solver<Dim>::advance_nodes(const View& grid, double time, Range rows) {
   loading_.add_forces(grid, time, node_update_.least_mass, rows);
   kernels_.update_nodes(grid, node_update_, rows, ledger_.nodes());
+  platens_.impose(grid, node_update_, rows, ledger_.platens());
   loading_.add_works(grid, dt_, node_update_.least_mass, rows, ledger_.nodes());
-  platens_.impose(grid, dt_, node_update_.least_mass, rows, ledger_.platens());
 }
 
 template <int Dim>

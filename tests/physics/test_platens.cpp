@@ -122,6 +122,24 @@ TEST_CASE("platens that carry a block along, both or one alone, do not load it")
   }
 }
 
+TEST_CASE("the weight of a block that comes to rest on a platen does no work there") {
+  for (const Integrator integrator : {Integrator::musl, Integrator::usl, Integrator::usf}) {
+    Case settings = free_block(10.0, 20.0);
+    settings.time.integrator = integrator;
+    settings.platens = {holding(Side::bottom), holding(Side::left), holding(Side::right)};
+    settings.body_acceleration = Vector(0.0, -2e4, 0.0);
+    settings.local_damping = 0.7;
+    Model model(settings);
+    model.steps(4000);
+    const HistoryRow row = model.solver.history();
+    const double held =
+        row.strain_energy + row.kinetic_energy + row.damping_work + row.viscous_work;
+    INFO("work " << row.external_work << ", held " << held);
+    REQUIRE(row.kinetic_energy < 1e-6 * row.strain_energy);
+    REQUIRE(row.external_work == Approx(held).epsilon(5e-3));
+  }
+}
+
 TEST_CASE("two axes loaded at once give the stress of Hooke's law") {
   Case settings = column(5.0, 0.05);
   settings.bodies[0].size.x() = 5e-3;

@@ -197,6 +197,7 @@ TEST_CASE("reaction and work are those of the force that a prescribed velocity t
   const std::ptrdiff_t row = node / block.grid.row_stride();
   const double mass = 2.0;
   const double dt = 0.1;
+  const kernels::NodeUpdate<2> update{dt, 1e-9, {6.0, -7.0}};
   const double acceleration[2] = {3.0, 4.0};
   const double velocity[2] = {0.7, -0.2};  // at the end of the step, if nothing held the node
   const double target[2] = {0.0, -0.5};
@@ -207,9 +208,11 @@ TEST_CASE("reaction and work are those of the force that a prescribed velocity t
     view.momentum[a][node] = velocity[a];
     view.force[a][node] = acceleration[a];
     const double before = velocity[a] - dt * acceleration[a];
-    work += mass * (target[a] - velocity[a]) * 0.5 * (before + target[a]);
+    // The reaction's, and the body force's on the velocity that the node does not get.
+    work += mass * (target[a] - velocity[a]) * 0.5 * (before + target[a]) +
+            mass * update.body_acceleration[a] * 0.5 * dt * (target[a] - velocity[a]);
   }
-  block.held.impose(view, dt, 1e-9, {0, block.grid.rows()}, sums);
+  block.held.impose(view, update, {0, block.grid.rows()}, sums);
   for (int a = 0; a < 2; ++a) {
     CHECK(view.momentum[a][node] == target[a]);
     CHECK(view.force[a][node] ==
