@@ -1,5 +1,5 @@
 // The case of single_flaw.toml built in code: step it, then read the particles.
-// Usage: single_flaw [STEPS], 222440 by default as in the paper.
+// Usage: 03_single_flaw [STEPS], 222440 by default as in the paper.
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
