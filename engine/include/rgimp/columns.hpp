@@ -18,7 +18,9 @@ namespace rgimp {
 ///
 /// Valid until the simulation steps, restores a checkpoint, is moved from or ends.
 struct ParticleColumns {
+  /// The id in lanes without a particle.
   static constexpr std::uint32_t no_id = std::numeric_limits<std::uint32_t>::max();
+  /// Where lane_of_id() has no lane.
   static constexpr std::size_t no_lane = std::numeric_limits<std::size_t>::max();
 
   std::array<std::span<const double>, 3> position;  ///< m; the third is empty in 2D
@@ -33,6 +35,7 @@ struct ParticleColumns {
   std::span<const std::int32_t> failure_step;  ///< -1 while intact
   std::span<const std::uint32_t> id;           ///< of step 0; `no_id` in padding
 
+  /// The length of every column that is not empty.
   std::size_t lanes() const { return id.size(); }
   /// The lane of every id there ever was; `no_lane` for one that was taken out.
   std::vector<std::size_t> lane_of_id() const;

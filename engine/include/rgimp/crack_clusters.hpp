@@ -26,6 +26,7 @@ struct ClusterParticle {
   std::optional<std::size_t> flaw;  ///< that one, where it is within two cells
 };
 
+/// Failed particles that touch, two cells or more from end to end; see above.
 struct CrackCluster {
   std::string name;                        ///< "crack 1", ...: in the order of their first failures
   std::vector<std::size_t> flaws;          ///< that it comes within two cells of, rising; or none
@@ -34,7 +35,9 @@ struct CrackCluster {
 
 /// How far a cluster had come at a step.
 struct ClusterExtent {
+  /// At its end.
   std::int64_t step = 0;
+  /// Particles.
   std::size_t failed = 0;
   Vector min = Vector::Zero();       ///< m, of the failed particles' centres
   Vector max = Vector::Zero();       ///< m
@@ -47,15 +50,20 @@ struct ClusterExtent {
 
 /// A cluster starts, or comes within one cell of a side of the bodies.
 struct ClusterEvent {
+  /// At its end.
   std::int64_t step = 0;
+  /// Of CrackClusters::clusters, by name.
   std::string cluster;
   std::optional<Side> side;  ///< none: its first failure
+  /// m, of the particle.
   Vector position = Vector::Zero();
 };
 
+/// All that is known about the cracks of one state in three dimensions.
 struct CrackClusters {
   /// Of all particles, in a cluster or not; its distance is infinite in a case without flaws.
   std::optional<ClusterParticle> first;
+  /// In the order of their first failures.
   std::vector<CrackCluster> clusters;
   std::vector<ClusterEvent> events;  ///< in order of step
   std::size_t outline = 0;           ///< failed along faces of flaws, in no cluster

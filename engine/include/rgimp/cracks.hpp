@@ -33,11 +33,16 @@ struct Wing {
   std::vector<CrackParticle> particles;  ///< in the order of `step`; the first is where it starts
 };
 
+/// What can happen to cracks.
 enum class CrackEventKind { first_failure, coalescence, arrival };
 
+/// Something that happened to the cracks.
 struct CrackEvent {
+  /// At its end.
   std::int64_t step = 0;
+  /// Which of the following it has.
   CrackEventKind kind = CrackEventKind::first_failure;
+  /// Of Cracks::wings, by name.
   std::string wing;
   std::optional<std::string>
       other_wing;                    ///< coalescence: the wing, or the flaw's place, that it met
@@ -45,6 +50,7 @@ struct CrackEvent {
   Vector position = Vector::Zero();  ///< m
 };
 
+/// All that is known about the cracks of one state.
 struct Cracks {
   std::vector<Wing> wings;  ///< of every slot tip, cracked or not; of other places if cracked
   std::vector<CrackEvent> events;  ///< in order of step
@@ -55,6 +61,7 @@ struct Cracks {
 
 /// How far a wing has come.
 struct CrackFront {
+  /// From which on it was here.
   std::int64_t step = 0;
   Vector position = Vector::Zero();  ///< m
   double length = 0.0;               ///< m, straight from the wing's first particle

@@ -24,6 +24,7 @@ class CaseError : public Error {
 
 /// Where the physics stopped.
 struct PhysicsReport {
+  /// After which the guard saw it.
   std::int64_t step = 0;
   std::optional<std::uint32_t> particle;  ///< id, the lowest of several; none: no single particle
   std::array<double, 3> position{};       ///< m, of the particle
@@ -36,9 +37,11 @@ struct PhysicsReport {
 /// and what to do.
 class PhysicsError : public Error {
  public:
+  /// `message` is for people; it says what the report does, and what to do.
   explicit PhysicsError(const std::string& message, const PhysicsReport& report = {})
       : Error(message), report_(report) {}
 
+  /// For programs.
   const PhysicsReport& report() const { return report_; }
 
  private:

@@ -11,7 +11,9 @@ namespace rgimp {
 
 /// A case and its particles as a run of it left them.
 struct Results {
+  /// As in the case.toml of the run.
   Case settings;
+  /// Of the last snapshot.
   ParticleTable particles;
 };
 

@@ -16,16 +16,23 @@ enum class ExistingOutput { refuse, replace, resume };
 
 /// How far a run is, for a progress display.
 struct Progress {
+  /// Steps done.
   std::int64_t step = 0;
   std::int64_t first_step = 0;  ///< where this run started: 0, or the checkpoint's
+  /// Of the case.
   std::int64_t total_steps = 0;
+  /// Now.
   std::size_t particles = 0;
   double seconds = 0.0;  ///< in the step loop, start-up and file output left out
+  /// Particles, in tension and shear.
   std::int64_t failed = 0;
 };
 
+/// How and where run_case runs.
 struct RunOptions {
+  /// Made where there is none, parents too.
   std::filesystem::path directory;
+  /// Of a directory that is not empty.
   ExistingOutput existing = ExistingOutput::refuse;
   std::function<void(const Progress&)> on_progress;  ///< called a few times a second; may be empty
   /// What a user should know and is no error: a damaged checkpoint, a start from step 0. May be

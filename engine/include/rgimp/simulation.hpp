@@ -18,6 +18,7 @@ namespace rgimp {
 
 /// One row of history.csv, at the end of a step.
 struct HistoryRow {
+  /// Steps done.
   std::int64_t step = 0;
   double time = 0.0;     ///< s
   double closure = 0.0;  ///< m, sum of the platens' displacements towards the specimen
@@ -39,6 +40,7 @@ struct HistoryRow {
 
 /// What left the grid and was taken out, see OnExit.
 struct RemovedParticles {
+  /// How many.
   std::int64_t particles = 0;
   double mass = 0.0;    ///< kg (2D: kg per metre of thickness)
   double energy = 0.0;  ///< J, kinetic and strain, that they held when they were taken out
@@ -46,31 +48,39 @@ struct RemovedParticles {
 
 /// The first particle to fail, damage 1; ties go to the lowest id.
 struct FirstFailure {
+  /// At whose end it had failed.
   std::int64_t step = 0;
   double closure = 0.0;       ///< m
   double axial_stress = 0.0;  ///< Pa
+  /// m, at that time.
   Vector position = Vector::Zero();
+  /// Tension or shear.
   FailureMode mode = FailureMode::tension;
 };
 
 /// A copy of the particles, in order of id; columns of equal length. Ids are those of step 0: one
 /// that was taken out is missing.
 struct ParticleTable {
+  /// Of step 0, rising.
   std::vector<std::uint32_t> id;
   std::vector<std::array<double, 3>> position;  ///< m
   std::vector<std::array<double, 3>> velocity;  ///< m/s
   std::vector<std::array<double, 6>> stress;    ///< Pa; xx, yy, zz, xy, yz, xz; tension > 0
   std::vector<double> max_principal_stress;     ///< Pa, of the three-dimensional tensor
+  /// How, if it did.
   std::vector<FailureMode> failed;
   std::vector<double> damage;              ///< 1, share of the strength lost; 1 where failed
   std::vector<std::int32_t> failure_step;  ///< -1 while intact
 
+  /// Particles.
   std::size_t size() const { return id.size(); }
 };
 
 /// Time spent so far in one part of the steps.
 struct StageTime {
+  /// "first pass" and so on, see theory.md.
   std::string_view name;
+  /// s, on the clock, of all steps so far.
   double seconds = 0.0;
 };
 
@@ -79,10 +89,12 @@ struct Facts {
   std::size_t particles = 0;            ///< now, without those that were taken out
   std::array<std::int64_t, 3> nodes{};  ///< per axis; 1 along z in 2D
   double dt = 0.0;                      ///< s, Eq. 24
+  /// Of the case.
   std::int64_t total_steps = 0;
   std::size_t memory_bytes = 0;       ///< particles and grid
   std::size_t peak_memory_bytes = 0;  ///< of a run's process, while it writes a snapshot
   std::string isa;                    ///< reference, baseline, avx2 or avx512
+  /// That steps use.
   int threads = 0;
 };
 
@@ -96,7 +108,9 @@ class Simulation {
   /// Throws CaseError for what check_case refuses, and for an RGIMP_ISA the machine lacks.
   explicit Simulation(Case settings);
   ~Simulation();
+  /// Takes over all of the other.
   Simulation(Simulation&&) noexcept;
+  /// Likewise; what this one was is gone.
   Simulation& operator=(Simulation&&) noexcept;
 
   /// What is called while a simulation runs; it reads, and cannot change a result.
@@ -142,25 +156,33 @@ class Simulation {
   /// tuning, grid.on_exit and number of steps may differ); then this simulation is as it was.
   std::string restore(const std::filesystem::path& path);
 
+  /// Steps since the start of the case, those before a restored checkpoint too.
   std::int64_t steps_done() const;
   double time() const;  ///< s
   /// dt over the critical step of Eq. 22 with the fastest particle of the last step, or
   /// of the start.
   double critical_step_ratio() const;
+  /// The row of history.csv that belongs here.
   HistoryRow history() const;
+  /// A copy in order of id; columns() copies nothing.
   ParticleTable particles() const;
   /// Nothing is copied; see there for their order and how long they are valid.
   ParticleColumns columns() const;
   /// Writes the particles as `rgimp run` does, for ParaView and HDF5 readers. The file is there
   /// whole or not at all. Throws FileError.
   void write_snapshot(const std::filesystem::path& path) const;
+  /// None while nothing has failed.
   std::optional<FirstFailure> first_failure() const;
+  /// What has left the grid so far.
   RemovedParticles removed() const;
   double peak_axial_stress() const;  ///< Pa, largest over all steps, at least 0
   /// A hash of every particle's id and state in order of id: equal for equal bits.
   std::uint64_t state_hash() const;
+  /// Figures that do not change from step to step, but for `particles`.
   Facts facts() const;
+  /// Where the time of the steps went, in the order of a step.
   std::vector<StageTime> stage_times() const;
+  /// The case it was built from.
   const Case& settings() const;
 
  private:
