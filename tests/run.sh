@@ -15,6 +15,8 @@ stages=( # NAME | gate or nightly | what it does
   "tsan|nightly|every test under ThreadSanitizer; tests/tsan.supp lists what is let pass"
   "debug|nightly|every test of the debug build, whose warnings are errors"
   "valgrind|nightly|memcheck over the unit tests and a small run, its cracks included"
+  "package|nightly|outside programs that build RGIMP by add_subdirectory and FetchContent"
+  "clean-root|nightly|the Debian packages in a new root: install, run, link, remove (as root)"
   "docs|nightly|the site of engine/docs, whose warnings are errors, and its formulas in a browser"
   "tidy|nightly|clang-tidy over every source file"
 )
@@ -95,6 +97,17 @@ stage_valgrind() {
     RGIMP_ISA=baseline "${memcheck[@]}" build/release/tests/"$program"
   done
   RGIMP_ISA=baseline small_run "${memcheck[@]}" build/release/bin/rgimp
+}
+
+stage_package() {
+  step "Outside programs that bring RGIMP's sources"
+  /usr/bin/python3 -B tests/package/test_from_source.py cmake
+}
+
+stage_clean_root() {
+  install_packages mmdebstrap
+  build_release
+  bash "$rgimp_root/tests/package/clean_root.sh" build/release
 }
 
 # MathJax puts a merror where it does not know what a formula asks for.

@@ -29,6 +29,19 @@ def configure(source, build, *definitions):
               "-DCMAKE_BUILD_TYPE=Release", *definitions)
 
 
+def compile_by_pkg_config(source, prefix, program):
+    """In a tree that was moved, so that no path of the build can help."""
+    moved = prefix.with_name("moved")
+    prefix.rename(moved)
+    try:
+        directory = next(moved.glob("lib/**/pkgconfig"))
+        flags = output_of("env", f"PKG_CONFIG_PATH={directory}", "pkg-config", "--cflags", "--libs",
+                          "rgimp").split()
+        output_of(COMPILER, "-std=c++20", source, "-o", program, *flags)
+    finally:
+        moved.rename(prefix)
+
+
 class Package(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -45,13 +58,17 @@ class Package(unittest.TestCase):
                   "--set", f"time.steps={STEPS}", "--set", "output.snapshot_steps=[]")
         summary = json.loads((output / "summary.json").read_text())
 
+        self.assertEqual(summary["steps"], STEPS)
+
         build = self.folder / "find_package"
         configure(HERE / "find_package", build, f"-DCMAKE_PREFIX_PATH={self.prefix}")
         output_of(CMAKE, "--build", build)
-        state_hash = output_of(build / "outside", output / "case.toml").strip()
-
-        self.assertEqual(summary["steps"], STEPS)
-        self.assertEqual(state_hash, summary["state_hash"])
+        program = self.folder / "by_pkg_config"
+        compile_by_pkg_config(HERE / "find_package/main.cpp", self.prefix, program)
+        for outside in (build / "outside", program):
+            with self.subTest(outside):
+                self.assertEqual(output_of(outside, output / "case.toml").strip(),
+                                 summary["state_hash"])
 
     def test_installed_programs_in_python_find_their_modules(self):
         nothing = self.folder / "nothing"
@@ -70,7 +87,7 @@ class Package(unittest.TestCase):
 
     def test_man_page_and_completion_are_where_they_are_looked_for(self):
         share = self.prefix / "share"
-        self.assertTrue((share / "man/man1/rgimp.1").is_file())
+        self.assertTrue((share / "man/man1/rgimp.1.gz").is_file())
         self.assertTrue((share / "bash-completion/completions/rgimp").is_file())
 
     def test_subdirectory_brings_no_tests_and_installs_nothing(self):
