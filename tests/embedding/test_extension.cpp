@@ -118,7 +118,7 @@ TEST_CASE("a constant own acceleration is the case's to the bit, with every inte
   settings.time.integrator = GENERATE(Integrator::musl, Integrator::usl, Integrator::usf);
   settings.local_damping = 0.4;
   settings.platens = {holding(Side::bottom)};
-  const Vector gravity(50.0, -2e4, 0.0);
+  Vector gravity(50.0, -2e4, 0.0);
   Simulation simulation(settings);
   simulation.set_acceleration([&](const Vector&, double) { return gravity; });
   settings.body_acceleration = gravity;

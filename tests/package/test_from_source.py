@@ -3,24 +3,17 @@
 Each way builds the library, which takes minutes; test_package.py has the installed ones.
 """
 
-import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
 
+from outside_command import output_of
+
 CMAKE = sys.argv.pop(1)
 HERE = Path(__file__).resolve().parent
 SOURCE = HERE.parent.parent
 CASE = SOURCE / "tests/support/breaking_block.toml"
-
-
-def output_of(*command):
-    """The command's standard output; what it wrote is in the error where it fails."""
-    done = subprocess.run(command, capture_output=True, text=True)
-    if done.returncode != 0:
-        raise AssertionError(f"{command} exits {done.returncode}\n{done.stdout}{done.stderr}")
-    return done.stdout
 
 
 class FromSource(unittest.TestCase):

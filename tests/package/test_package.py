@@ -10,18 +10,12 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from outside_command import output_of
+
 CMAKE, GENERATOR, COMPILER, BUILD = (sys.argv.pop(1) for _ in range(4))
 HERE = Path(__file__).resolve().parent
 SOURCE = HERE.parent.parent
 STEPS = 20
-
-
-def output_of(*command):
-    """The command's standard output; what it wrote is in the error where it fails."""
-    done = subprocess.run(command, capture_output=True, text=True)
-    if done.returncode != 0:
-        raise AssertionError(f"{command} exits {done.returncode}\n{done.stdout}{done.stderr}")
-    return done.stdout
 
 
 def configure(source, build, *definitions):
