@@ -43,7 +43,7 @@ test_preset() {
 
 # What reads and writes files, and a small run; none of the tests that take minutes when checked.
 stage_sanitized() {
-  local programs=(test_case_file test_output test_cracks test_binning test_failure test_parallel)
+  local programs=(test_case_file test_output test_cracks)
   step "Configure and build (asan-ubsan: rgimp ${programs[*]})"
   cmake --preset asan-ubsan
   cmake --build --preset asan-ubsan --target rgimp "${programs[@]}"

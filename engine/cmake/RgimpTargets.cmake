@@ -15,3 +15,11 @@ function(rgimp_configure target)
     target_link_options(${target} PUBLIC -fsanitize=${RGIMP_SANITIZE})
   endif()
 endfunction()
+
+# For what spends its time in the libraries, not in itself: at -O1 the command's and the Python
+# module's sources take three quarters of the time to compile. GCC's look for uninitialised values
+# errs at that level.
+function(rgimp_optimise_little target)
+  target_compile_options(${target} PRIVATE
+    $<$<CONFIG:Release>:-O1> $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+endfunction()
