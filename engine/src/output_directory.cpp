@@ -23,7 +23,9 @@ namespace {
 
 constexpr std::string_view kSnapshots = "snapshots";
 constexpr std::string_view kPictures = "pictures";
-constexpr std::string_view kSeries = "snapshots.vtkhdf.series";
+// Not .vtkhdf.series: ParaView 5.11 has a reader for what the snapshots hold, but looks for it by
+// the ending .hdf alone.
+constexpr std::string_view kSeries = "snapshots.hdf.series";
 
 [[noreturn]] void fail(const fs::path& path, const std::error_code& error) {
   throw FileError(

@@ -108,7 +108,7 @@ class OutputStaysInsideTest(CommandTest):
         (self.output / "snapshots").mkdir(parents=True)
         for name in ("case.toml", "case.toml.tmp", "history.csv", "summary.json",
                      "checkpoint_a.rgimp", "snapshots/step_000000003.vtkhdf",
-                     "snapshots/step_000000003.vtkhdf.tmp", "snapshots/snapshots.vtkhdf.series"):
+                     "snapshots/step_000000003.vtkhdf.tmp", "snapshots/snapshots.hdf.series"):
             (self.output / name).symlink_to(self.treasure)
         self.rgimp("run", self.case, *SHORT, "--force")
         self.assertEqual([path for path in self.output.rglob("*") if path.is_symlink()], [])

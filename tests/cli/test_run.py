@@ -33,7 +33,7 @@ class RunTest(CommandTest):
         self.assertEqual([row["step"] for row in self.history()], ["0", "100", "200", "250"])
         self.assertEqual(self.snapshots(),
                          [f"step_{step:09d}.vtkhdf" for step in (0, 30, 200, 250)])
-        series = json.loads((self.place / "block" / "snapshots" / "snapshots.vtkhdf.series")
+        series = json.loads((self.place / "block" / "snapshots" / "snapshots.hdf.series")
                             .read_text(encoding="utf-8"))
         self.assertEqual([file["name"] for file in series["files"]], self.snapshots())
         self.assertEqual(series["files"][-1]["time"], float(self.history()[-1]["time_s"]))

@@ -71,7 +71,7 @@ TEST_CASE("replacing deletes our own files and no others") {
                      "snapshots/step_000000000.vtkhdf",
                      "snapshots/step_000000100.vtkhdf.tmp",
                      "snapshots/step_1234567890.vtkhdf",
-                     "snapshots/snapshots.vtkhdf.series"};
+                     "snapshots/snapshots.hdf.series"};
   const auto others = {"notes.txt",
                        "history.csv.bak",
                        "checkpoint_c.rgimp",
@@ -137,7 +137,7 @@ TEST_CASE("going back to a step removes what came later and what is unfinished")
                       "checkpoint_a.rgimp",
                       "notes.tmp",
                       "snapshots/step_000000100.vtkhdf",
-                      "snapshots/snapshots.vtkhdf.series"};
+                      "snapshots/snapshots.hdf.series"};
   for (const std::string name : later) {
     write_text(temporary / name, "");
   }

@@ -57,7 +57,7 @@ TEST_CASE("a run that is asked to stop leaves a checkpoint and goes on from it")
 
   run(short_case(), into(directory / "whole"));
   for (const char* name : {"history.csv", "case.toml", "snapshots/step_000000300.vtkhdf",
-                           "snapshots/snapshots.vtkhdf.series"}) {
+                           "snapshots/snapshots.hdf.series"}) {
     INFO(name);
     CHECK(read_text(directory / "run" / name) == read_text(directory / "whole" / name));
   }

@@ -250,7 +250,7 @@ TEST_CASE("a full disk is an error, not a crash") {
 
 TEST_CASE("the series lists the snapshots with their times") {
   const TemporaryDirectory directory;
-  const auto path = directory / "snapshots.vtkhdf.series";
+  const auto path = directory / "snapshots.hdf.series";
   write_series(path, {{0, 0.0}, {5000, 9.5e-5}});
   const auto series = nlohmann::json::parse(read_text(path));
   CHECK(series["file-series-version"] == "1.0");
