@@ -121,13 +121,12 @@ stage_docs() {
   ! grep --quiet --extended-regexp 'class="(merror|noError)"' <<<"$dom" || fail "MathJax did not understand a formula of $theory"
 }
 
-# With the flags of the release build, but for those that clang does not know.
+# With the flags of the release build, file by file, but for those that clang does not know.
 stage_tidy() {
   install_packages clang-tidy
-  cmake --preset release
-  mkdir --parents build/tidy
-  sed 's/ --param=sra[^ "]*//; s/ -fno-tree-loop-distribution//' build/release/compile_commands.json \
-    >build/tidy/compile_commands.json
+  cmake --preset release -B build/tidy -DCMAKE_UNITY_BUILD=OFF
+  sed --in-place 's/ --param=sra[^ "]*//; s/ -fno-tree-loop-distribution//' \
+    build/tidy/compile_commands.json
   step "clang-tidy"
   git ls-files 'engine/*.cpp' 'kernels/*.cpp' 'bench/*.cpp' 'tests/*.cpp' 'examples/*.cpp' |
     grep --invert-match '^tests/package/\|^tests/fuzz/fuzz_' |

@@ -19,7 +19,7 @@ std::string counted(std::size_t count) {
   return with_separators(static_cast<std::int64_t>(count));
 }
 
-constexpr std::string_view kLine =
+constexpr std::string_view kClusterLine =
     "{:<9} {:>6} {:>8} {:>10} {:>24} {:>9} {:>24} {:>10} {:>22} {:>8}\n";
 
 std::string format_cluster(const CrackClusters& cracks, const CrackCluster& cluster) {
@@ -31,7 +31,7 @@ std::string format_cluster(const CrackClusters& cracks, const CrackCluster& clus
     return extent.distance == end.distance;
   });
   const Vector size = (end.max - end.min) * 1e3;
-  return fmt::format(kLine, cluster.name,
+  return fmt::format(kClusterLine, cluster.name,
                      cluster.flaws.empty() ? "-" : fmt::format("{}", fmt::join(cluster.flaws, ",")),
                      counted(cluster.particles.size()), with_separators(first.step),
                      in_mm(first.position), fmt::format("{:.2f}", end.distance * 1e3),
@@ -67,8 +67,8 @@ std::string format_clusters(const CrackClusters& cracks) {
         "\nCracks: mm, farthest from the flaw or, without one, from the start; areas in mm2, "
         "failed "
         "volume / cell size\n";
-    text += fmt::format(kLine, "crack", "flaws", "failed", "from step", "from", "farthest", "at",
-                        "at step", "extent", "area");
+    text += fmt::format(kClusterLine, "crack", "flaws", "failed", "from step", "from", "farthest",
+                        "at", "at step", "extent", "area");
   }
   for (const CrackCluster& cluster : cracks.clusters) {
     text += format_cluster(cracks, cluster);

@@ -8,7 +8,7 @@ namespace rgimp::cli {
 
 namespace {
 
-std::string in_mm(const Vector& position) {
+std::string plane_in_mm(const Vector& position) {
   return fmt::format("({:.2f}, {:.2f})", position.x() * 1e3, position.y() * 1e3);
 }
 
@@ -21,20 +21,20 @@ std::string angle_text(const Cracks& cracks, const Wing& wing, double span) {
   return to_load ? fmt::format("{:.0f} ({:.0f})", *angle, *to_load) : fmt::format("{:.0f}", *angle);
 }
 
-constexpr std::string_view kLine =
+constexpr std::string_view kWingLine =
     "{:<15} {:>16} {:>7} {:>10} {:>16} {:>16} {:>10} {:>9} {:>10} {:>10}\n";
 
 std::string format_wing(const Cracks& cracks, const Wing& wing) {
   const std::vector<CrackFront> front = trace_front(wing);
   if (front.empty()) {
-    return fmt::format("{:<15} {:>16} no crack\n", wing.name, in_mm(wing.tip));
+    return fmt::format("{:<15} {:>16} no crack\n", wing.name, plane_in_mm(wing.tip));
   }
-  return fmt::format(kLine, wing.name, in_mm(wing.tip), with_separators(wing.particles.size()),
-                     with_separators(front.front().step), in_mm(front.front().position),
-                     in_mm(front.back().position), with_separators(front.back().step),
-                     fmt::format("{:.2f}", front.back().length * 1e3),
-                     angle_text(cracks, wing, kWingSpans[0]),
-                     angle_text(cracks, wing, kWingSpans[1]));
+  return fmt::format(
+      kWingLine, wing.name, plane_in_mm(wing.tip), with_separators(wing.particles.size()),
+      with_separators(front.front().step), plane_in_mm(front.front().position),
+      plane_in_mm(front.back().position), with_separators(front.back().step),
+      fmt::format("{:.2f}", front.back().length * 1e3), angle_text(cracks, wing, kWingSpans[0]),
+      angle_text(cracks, wing, kWingSpans[1]));
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ std::string format_cracks(const Cracks& cracks) {
   if (!cracks.wings.empty()) {
     text +=
         "\nWings: lengths in mm; directions over 2 and 5 mm in degrees from +x (from the load)\n";
-    text += fmt::format(kLine, "wing", "tip", "failed", "from step", "from", "front", "at step",
+    text += fmt::format(kWingLine, "wing", "tip", "failed", "from step", "from", "front", "at step",
                         "length", "over 2 mm", "over 5 mm");
   }
   for (const Wing& wing : cracks.wings) {
@@ -64,7 +64,7 @@ std::string format_cracks(const Cracks& cracks) {
   }
   for (const CrackEvent& event : cracks.events) {
     text += fmt::format("{:>11}  {}, {} mm\n", with_separators(event.step), describe(event),
-                        in_mm(event.position));
+                        plane_in_mm(event.position));
   }
   return text;
 }

@@ -5,7 +5,6 @@
 #include <limits>
 
 namespace rgimp {
-namespace {
 
 class Fnv1a {
  public:
@@ -22,8 +21,6 @@ class Fnv1a {
  private:
   std::uint64_t state_ = 0xcbf29ce484222325u;
 };
-
-}  // namespace
 
 template <int Dim>
 std::vector<std::size_t> lanes_by_id(const Particles<Dim>& particles) {

@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* kTable = "sweep.csv";
 
-[[noreturn]] void fail(const fs::path& path, const std::error_code& error) {
+[[noreturn]] void fail_in_sweep(const fs::path& path, const std::error_code& error) {
   throw FileError(
       fmt::format("cannot use the sweep's directory '{}': {}", path.string(), error.message()));
 }
@@ -87,7 +87,7 @@ SweepDirectory::SweepDirectory(fs::path path, ExistingOutput existing, const Swe
   }
   try {
     if (fs::exists(path_) && !fs::is_directory(path_)) {
-      fail(path_, std::make_error_code(std::errc::not_a_directory));
+      fail_in_sweep(path_, std::make_error_code(std::errc::not_a_directory));
     }
     new_directories_.create(path_);
     lock_.take(path_);
@@ -103,7 +103,7 @@ SweepDirectory::SweepDirectory(fs::path path, ExistingOutput existing, const Swe
         break;
     }
   } catch (const fs::filesystem_error& error) {
-    fail(path_, error.code());
+    fail_in_sweep(path_, error.code());
   }
 }
 

@@ -8,17 +8,12 @@
 #include <optional>
 
 #include "rgimp/error.hpp"
+#include "trim.hpp"
 
 namespace rgimp {
 namespace {
 
 constexpr double kMostValues = 10000.0;  // more is a slip of the pen
-
-std::string_view trim(std::string_view text) {
-  const std::size_t first = std::min(text.find_first_not_of(" \t"), text.size());
-  const std::size_t last = text.find_last_not_of(" \t");
-  return text.substr(first, last == std::string_view::npos ? 0 : last + 1 - first);
-}
 
 [[noreturn]] void refuse(std::string_view change, std::string_view what) {
   throw CaseError(fmt::format("--set {}: {}", change, what));
@@ -59,7 +54,7 @@ std::optional<double> number(std::string_view text) {
 /// Rounded to 12 digits: 0.1:0.3:0.1 gives 0.3 and not 0.30000000000000004.
 std::vector<std::string> steps(std::string_view change,
                                const std::vector<std::string_view>& parts) {
-  constexpr double kRoundOff = 1e-9;  // of a step
+  constexpr double kShareOfStep = 1e-9;  // of a step
   std::array<double, 3> values{};
   for (std::size_t i = 0; i < values.size(); ++i) {
     const auto value = parts.size() == values.size() ? number(parts[i]) : std::nullopt;
@@ -69,7 +64,7 @@ std::vector<std::string> steps(std::string_view change,
     values[i] = *value;
   }
   const auto [start, stop, step] = values;
-  const double count = std::floor((stop - start) / step + kRoundOff) + 1.0;
+  const double count = std::floor((stop - start) / step + kShareOfStep) + 1.0;
   if (step == 0.0 || count < 1.0) {
     refuse(change, fmt::format("steps of {:g} do not lead from {:g} to {:g}", step, start, stop));
   }

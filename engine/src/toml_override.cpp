@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "case_error.hpp"
+#include "trim.hpp"
 
 namespace rgimp {
 namespace {
@@ -42,12 +43,6 @@ constexpr std::string_view kValue = "value";
 bool is_below(std::string_view key, std::string_view path) {
   return key.starts_with(path) &&
          (key.size() == path.size() || key[path.size()] == '.' || key[path.size()] == '[');
-}
-
-std::string_view trim(std::string_view text) {
-  const std::size_t first = std::min(text.find_first_not_of(" \t"), text.size());
-  const std::size_t last = text.find_last_not_of(" \t");
-  return text.substr(first, last == std::string_view::npos ? 0 : last + 1 - first);
 }
 
 std::size_t word_length(std::string_view text) {

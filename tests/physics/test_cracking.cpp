@@ -6,13 +6,6 @@
 namespace rgimp::tests {
 namespace {
 
-/// What the books miss of the work put in.
-double missing(const HistoryRow& row) {
-  return (row.external_work - row.kinetic_energy - row.strain_energy - row.damping_work -
-          row.viscous_work - row.released_energy) /
-         row.external_work;
-}
-
 HistoryRow run_to(Case settings, double step_factor, double time) {
   settings.time.step_factor = step_factor;
   Model model(std::move(settings), 2);

@@ -106,13 +106,13 @@ Vector velocity_of(const Particles<3>& p, std::size_t i) {
 }
 
 /// Largest differences from the turned model turned back, relative to the largest value.
-struct Apart {
+struct TurnedDifference {
   double velocity;
   double stress;
   std::int64_t modes;
 };
 
-Apart compare(ModelIn<3>& upright, ModelIn<3>& lying, const Matrix3d& turn) {
+TurnedDifference compare(ModelIn<3>& upright, ModelIn<3>& lying, const Matrix3d& turn) {
   const Particles<3>& a = upright.solver.particles();
   const Particles<3>& b = lying.solver.particles();
   const std::vector<std::size_t> ids = counterparts(upright.settings, turn);
@@ -120,7 +120,7 @@ Apart compare(ModelIn<3>& upright, ModelIn<3>& lying, const Matrix3d& turn) {
   const std::vector<std::size_t> lanes_b = lanes_by_id(b);
   double speed = 0.0;
   double stress = 0.0;
-  Apart apart{};
+  TurnedDifference apart{};
   for (std::size_t id = 0; id < ids.size(); ++id) {
     const std::size_t i = lanes_a[id];
     const std::size_t j = lanes_b[ids[id]];
@@ -151,7 +151,7 @@ TEST_CASE("a block turned by 90 degrees about an axis cracks the same way, turne
       const Matrix3d turn = quarter_turn(axis);
       ModelIn<3> lying(turned(settings, turn), 2);
       lying.steps(300);
-      const Apart apart = compare(upright, lying, turn);
+      const TurnedDifference apart = compare(upright, lying, turn);
       INFO("damping " << damping << ", about axis " << axis << ": velocity " << apart.velocity
                       << ", stress " << apart.stress);
       REQUIRE(apart.modes == 0);

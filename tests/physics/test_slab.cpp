@@ -20,20 +20,20 @@ Case slab_of(const Case& plane, int cells) {
 
 /// Largest differences of a slab's particles from those of the plane they are copies of, relative
 /// to the largest value there.
-struct Apart {
+struct Difference {
   double velocity = 0.0;
   double stress = 0.0;
   double out_of_plane = 0.0;  // of xz and yz, to the stress in the plane
   std::int64_t modes = 0;     // particles of another mode
 };
 
-Apart compare(Model& plane, ModelIn<3>& slab) {
+Difference compare(Model& plane, ModelIn<3>& slab) {
   const Particles<2>& a = plane.solver.particles();
   const Particles<3>& b = slab.solver.particles();
   const std::vector<std::size_t> in_plane = lanes_by_id(a);
   const std::vector<std::size_t> in_slab = lanes_by_id(b);
   REQUIRE(b.count % a.count == 0);
-  Apart apart;
+  Difference apart;
   double largest_velocity = 0.0;
   double largest_stress = 0.0;
   for (std::size_t id = 0; id < b.count; ++id) {
@@ -77,7 +77,7 @@ TEST_CASE("a cracking slab in plane strain is the plane to round-off") {
     ModelIn<3> slab(slab_of(settings, trial.cells), 2);
     plane.steps(1000);
     slab.steps(1000);
-    const Apart apart = compare(plane, slab);
+    const Difference apart = compare(plane, slab);
     INFO("damping " << trial.damping << ", " << trial.cells << " cells deep: velocity "
                     << apart.velocity << ", stress " << apart.stress << ", out of the plane "
                     << apart.out_of_plane);
@@ -105,7 +105,7 @@ TEST_CASE("a softening slab in plane strain is the plane to round-off") {
   ModelIn<3> slab(slab_of(settings, 1), 2);
   plane.steps(1000);
   slab.steps(1000);
-  const Apart apart = compare(plane, slab);
+  const Difference apart = compare(plane, slab);
   INFO("velocity " << apart.velocity << ", stress " << apart.stress);
   const Particles<2>& p = plane.solver.particles();
   REQUIRE(std::count(p.failure_mode.begin(), p.failure_mode.end(), kernels::kSofteningInTension) >
@@ -135,7 +135,7 @@ TEST_CASE("a cylinder between strips, its ends held, is the disk to round-off") 
   ModelIn<3> slab(cylinder, 2);
   plane.steps(600);
   slab.steps(600);
-  const Apart apart = compare(plane, slab);
+  const Difference apart = compare(plane, slab);
   INFO("velocity " << apart.velocity << ", stress " << apart.stress);
   REQUIRE(plane.solver.history().failed_tension > 10);
   REQUIRE(apart.modes == 0);

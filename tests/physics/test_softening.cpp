@@ -27,12 +27,6 @@ Case one_element(double cell) {
   return settings;
 }
 
-double missing(const HistoryRow& row) {
-  return (row.external_work - row.kinetic_energy - row.strain_energy - row.damping_work -
-          row.viscous_work - row.released_energy) /
-         row.external_work;
-}
-
 }  // namespace
 
 TEST_CASE("an element pulled apart takes the fracture energy, whatever its size") {

@@ -27,6 +27,13 @@ struct ModelIn {
 };
 using Model = ModelIn<2>;
 
+/// What the books miss of the work put in, as a share of it.
+inline double missing(const HistoryRow& row) {
+  return (row.external_work - row.kinetic_energy - row.strain_energy - row.damping_work -
+          row.viscous_work - row.released_energy) /
+         row.external_work;
+}
+
 inline Material rock() {
   return {.density = 2600.0, .youngs_modulus = 17e9, .poisson_ratio = 0.14, .failure = {}};
 }

@@ -13,6 +13,8 @@
 /// A small case file that is right, and ways to put a text on disk.
 namespace rgimp::testing {
 
+inline const std::filesystem::path kExamples = RGIMP_EXAMPLES;
+
 /// Line numbers in the tests count from "title".
 inline const std::string kRightCase = R"(title = "small"
 dimension = 2

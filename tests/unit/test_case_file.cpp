@@ -5,14 +5,13 @@
 
 namespace {
 
+using rgimp::testing::kExamples;
 using rgimp::testing::kRightCase;
 using rgimp::testing::read_text;
 using rgimp::testing::with;
 
-const std::filesystem::path kExamples = RGIMP_EXAMPLES;
-
 /// What is wrong with an override of the right case.
-std::string message_of(const std::string& override) {
+std::string message_of_override(const std::string& override) {
   try {
     read_text(kRightCase, {override});
   } catch (const rgimp::CaseError& error) {
@@ -97,38 +96,38 @@ TEST_CASE("overrides change values before anything is checked") {
 }
 
 TEST_CASE("errors of overrides name the override") {
-  CHECK(message_of("grid.cel_size=1e-3") ==
+  CHECK(message_of_override("grid.cel_size=1e-3") ==
         "--set grid.cel_size=1e-3: grid.cel_size: unknown key; did you mean \"cell_size\"?");
-  CHECK(message_of("body.0.size=3") ==
+  CHECK(message_of_override("body.0.size=3") ==
         "--set body.0.size=3: body[0].size: found an integer; expected an array of 2 real numbers");
-  CHECK(message_of("time.integrator=foo") ==
+  CHECK(message_of_override("time.integrator=foo") ==
         "--set time.integrator=foo: time.integrator: \"foo\" is not one of musl, usl, usf");
-  CHECK(message_of("grid={cell_size=-1}") ==
+  CHECK(message_of_override("grid={cell_size=-1}") ==
         "--set grid={cell_size=-1}: grid.cell_size: is -1; expected a number above 0");
-  CHECK(message_of("body[0].size=[0.02, -1]") ==
+  CHECK(message_of_override("body[0].size=[0.02, -1]") ==
         "--set body[0].size=[0.02, -1]: body[0].size[1]: is -1; expected a number above 0");
-  CHECK(message_of("material.rock.poisson_ratio=0.7") ==
+  CHECK(message_of_override("material.rock.poisson_ratio=0.7") ==
         "--set material.rock.poisson_ratio=0.7: material.rock.poisson_ratio: is 0.7; expected 0 or "
         "more and less than 0.5");
-  CHECK(message_of("time.steps") == "--set time.steps: expected KEY=VALUE");
-  CHECK(message_of("time..steps=1") ==
+  CHECK(message_of_override("time.steps") == "--set time.steps: expected KEY=VALUE");
+  CHECK(message_of_override("time..steps=1") ==
         "--set time..steps=1: expected a dotted key before '=', as in body[0].size=[0.05, 0.1]");
   for (const std::string key :
        {"", "body[0", "body0].size", "body[0]size", "body.", ".body", "a b"}) {
-    CHECK(message_of(key + "=1") ==
+    CHECK(message_of_override(key + "=1") ==
           "--set " + key + "=1: expected a dotted key before '=', as in body[0].size=[0.05, 0.1]");
   }
-  CHECK(message_of("time.steps=1 2") ==
+  CHECK(message_of_override("time.steps=1 2") ==
         "--set time.steps=1 2: \"1 2\" is not a TOML value; expected a number, a \"string\", an "
         "[array] or a bare word");
-  CHECK(message_of("time.steps=1\nfoo=2") ==
+  CHECK(message_of_override("time.steps=1\nfoo=2") ==
         "--set time.steps=1\nfoo=2: \"1\nfoo=2\" is not a TOML value; expected a number, a "
         "\"string\", an [array] or a bare word");
-  CHECK(message_of("body[1].size=[1, 1]") ==
+  CHECK(message_of_override("body[1].size=[1, 1]") ==
         "--set body[1].size=[1, 1]: body[1] does not exist; the array's length is 1");
-  CHECK(message_of("body.rock=1") ==
+  CHECK(message_of_override("body.rock=1") ==
         "--set body.rock=1: body[rock] does not exist; the array's length is 1");
-  CHECK(message_of("grid.cell_size.x=1") ==
+  CHECK(message_of_override("grid.cell_size.x=1") ==
         "--set grid.cell_size.x=1: grid.cell_size is a single value and has no \"x\"");
 }
 

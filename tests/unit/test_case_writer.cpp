@@ -5,9 +5,8 @@
 
 namespace {
 
+using rgimp::testing::kExamples;
 using rgimp::testing::read_text;
-
-const std::filesystem::path kExamples = RGIMP_EXAMPLES;
 
 /// Every table, and values that are hard to write.
 const std::string kEverything = R"(title = "quote \" backslash \\ tab \t end"

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "case_text.hpp"
 #include "geometry.hpp"
 #include "platen_geometry.hpp"
 #include "rgimp/rgimp.hpp"
@@ -9,7 +10,7 @@
 
 namespace {
 
-const std::filesystem::path kExamples = RGIMP_EXAMPLES;
+using rgimp::testing::kExamples;
 
 /// A 20 mm x 10 mm block of cells of 1 mm, away from the origin.
 rgimp::Case block() {

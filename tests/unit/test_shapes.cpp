@@ -43,7 +43,7 @@ Case case_of(const Body& body) {
 }
 
 /// A cube of 24 cells an edge, for flaws to be taken out of.
-Case block() {
+Case cube() {
   return case_of(body_of(BodyShape::box, Vector::Constant(24e-3)));
 }
 
@@ -57,7 +57,7 @@ double volume(const Case& settings) {
 
 /// The flaw's center is relative to the block's.
 double left_out(const Flaw& flaw) {
-  Case settings = block();
+  Case settings = cube();
   const double whole = volume(settings);
   settings.flaws = {flaw};
   settings.flaws[0].center += settings.bodies[0].center;
@@ -272,7 +272,7 @@ TEST_CASE("the grid of a solid has its margins along z too") {
 }
 
 TEST_CASE("warnings of solids: uneven edges along z, and narrow oblique flaws") {
-  Case settings = block();
+  Case settings = cube();
   settings.bodies[0].size.z() = 23.1e-3;
   settings.flaws = {penny({0, 1, 1}), penny({0, 0, -1}), slot({0, 1, 1}, {1, 0, 0}, 9e-3),
                     slot({1, 0, 0}, {0, 1, 1}, 9e-3)};
@@ -301,14 +301,14 @@ TEST_CASE("solids built in code are checked like those of a file") {
     }
     return std::string("accepted");
   };
-  Case settings = block();
+  Case settings = cube();
   settings.bodies[0].shape = BodyShape::disk;
   CHECK(message(settings) == "body[0].shape: \"disk\" is not one of box, cylinder, sphere");
-  settings = block();
+  settings = cube();
   settings.flaws = {penny({0, 1, 0})};
   settings.flaws[0].normal.reset();
   CHECK(message(settings) == "flaw[0].normal: missing; expected a direction");
-  settings = block();
+  settings = cube();
   settings.dimension = 2;
   settings.platens = {{.side = rgimp::Side::front}};
   settings.bodies[0].center.z() = 0.0;

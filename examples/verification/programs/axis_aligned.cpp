@@ -3,12 +3,10 @@
 #include <cmath>
 #include <numbers>
 
+using std::numbers::pi;
+
 namespace rgimp::verification {
-namespace {
-
-constexpr double kPi = std::numbers::pi;
-
-}  // namespace
+namespace {}  // namespace
 
 AxisAligned::AxisAligned(double amplitude)
     : amplitude_(amplitude),
@@ -33,23 +31,23 @@ Case AxisAligned::settings(const Resolution& resolution) const {
 }
 
 std::array<double, 2> AxisAligned::swing(double t) const {
-  const double swing = amplitude_ * std::sin(kPi * wave_speed_ * t);
+  const double swing = amplitude_ * std::sin(pi * wave_speed_ * t);
   return {swing, -swing};
 }
 
 std::array<double, 2> AxisAligned::stretch(const Vector& point, double t) const {
   const auto [x, y] = swing(t);
-  return {1.0 + kPi * x * std::cos(kPi * point.x()), 1.0 + kPi * y * std::cos(kPi * point.y())};
+  return {1.0 + pi * x * std::cos(pi * point.x()), 1.0 + pi * y * std::cos(pi * point.y())};
 }
 
 Vector AxisAligned::displacement(const Vector& point, double t) const {
   const auto [x, y] = swing(t);
-  return {x * std::sin(kPi * point.x()), y * std::sin(kPi * point.y()), 0.0};
+  return {x * std::sin(pi * point.x()), y * std::sin(pi * point.y()), 0.0};
 }
 
 Vector AxisAligned::velocity(const Vector& point, double t) const {
-  const double rate = amplitude_ * kPi * wave_speed_ * std::cos(kPi * wave_speed_ * t);
-  return {rate * std::sin(kPi * point.x()), -rate * std::sin(kPi * point.y()), 0.0};
+  const double rate = amplitude_ * pi * wave_speed_ * std::cos(pi * wave_speed_ * t);
+  return {rate * std::sin(pi * point.x()), -rate * std::sin(pi * point.y()), 0.0};
 }
 
 // b = a - (J / rho_0) d sigma_xx / dX / F_x with d sigma_xx / dX = (lambda + 2 mu) F_x' / F_x.
@@ -59,7 +57,7 @@ Vector AxisAligned::body_force(const Vector& point, double t) const {
   const Lame lame(material_);
   Vector force = Vector::Zero();
   for (int a = 0; a < 2; ++a) {
-    const double wave = kPi * kPi * amplitude[a] * std::sin(kPi * point[a]);
+    const double wave = pi * pi * amplitude[a] * std::sin(pi * point[a]);
     const double acceleration = -wave_speed_ * wave_speed_ * wave;
     const double gradient = -(lame.lambda + 2.0 * lame.shear) * wave / (f[a] * f[a]);
     force[a] = acceleration - f[0] * f[1] / material_.density * gradient;
@@ -76,7 +74,7 @@ Stress AxisAligned::stress(const Vector& point, double t) const {
 }
 
 double AxisAligned::largest_stress() const {
-  return kPi * amplitude_ * material_.youngs_modulus;
+  return pi * amplitude_ * material_.youngs_modulus;
 }
 
 double AxisAligned::duration() const {

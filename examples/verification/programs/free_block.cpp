@@ -7,10 +7,11 @@
 
 #include "solver.hpp"
 
+using std::numbers::pi;
+
 namespace rgimp::verification {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kSpeed = 0.01;  // m/s, of a wave speed of 1 m/s, nearly
 
 struct Totals {
@@ -102,12 +103,12 @@ Drift spin_block(const Resolution& resolution) {
   FreeBlock block(resolution, Vector(1.0, 1.0, 0.0), [&](const Vector& x) {
     return Vector(kSpeed - rate * x.y(), rate * x.x(), 0.0);
   });
-  return block.run(std::llround(2.0 * kPi / rate / block.dt()));
+  return block.run(std::llround(2.0 * pi / rate / block.dt()));
 }
 
 Drift vibrate_block(const Resolution& resolution, std::int64_t steps) {
   FreeBlock block(resolution, Vector(1.0, 2.0, 0.0), [](const Vector& x) {
-    return Vector(0.0, kSpeed * std::sin(0.5 * kPi * x.y()), 0.0);
+    return Vector(0.0, kSpeed * std::sin(0.5 * pi * x.y()), 0.0);
   });
   return block.run(steps);
 }

@@ -4,10 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+using std::numbers::pi;
+
 namespace rgimp::verification {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kInner = 0.75;
 constexpr double kOuter = 1.25;
 constexpr int kSamples = 1000;  // of the radius, for largest values
@@ -63,21 +64,21 @@ Case Vortex::settings(const Resolution& resolution) const {
 
 Vector Vortex::displacement(const Vector& point, double t) const {
   const Profile h(radius_of(point));
-  return turned(point, amplitude_ * std::sin(kPi * t) * h.value) - point;
+  return turned(point, amplitude_ * std::sin(pi * t) * h.value) - point;
 }
 
 Vector Vortex::velocity(const Vector& point, double t) const {
   const Profile h(radius_of(point));
-  const double rate = amplitude_ * kPi * std::cos(kPi * t) * h.value;
-  return rate * turned(point, amplitude_ * std::sin(kPi * t) * h.value + 0.5 * kPi);
+  const double rate = amplitude_ * pi * std::cos(pi * t) * h.value;
+  return rate * turned(point, amplitude_ * std::sin(pi * t) * h.value + 0.5 * pi);
 }
 
 // rho a_r = ds_rr/dr + (s_rr - s_tt)/r + rho b_r, rho a_t = ds_rt/dr + 2 s_rt/r + rho b_t.
 Vortex::PolarForce Vortex::polar_force(double radius, double t) const {
   const Profile h(radius);
-  const double swing = amplitude_ * std::sin(kPi * t);
-  const double rate = amplitude_ * kPi * std::cos(kPi * t) * h.value;
-  const double acceleration = -kPi * kPi * swing * h.value;
+  const double swing = amplitude_ * std::sin(pi * t);
+  const double rate = amplitude_ * pi * std::cos(pi * t) * h.value;
+  const double acceleration = -pi * pi * swing * h.value;
   const double shear = radius * swing * h.slope;
   const double shear_slope = swing * (h.slope + radius * h.curvature);
   const double mu = Lame(material_).shear;
@@ -93,14 +94,14 @@ Vector Vortex::body_force(const Vector& point, double t) const {
   const double radius = radius_of(point);
   const PolarForce force = polar_force(radius, t);
   const Vector along =
-      turned(point, amplitude_ * std::sin(kPi * t) * Profile(radius).value) / radius;
-  return force.radial * along + force.tangential * turned(along, 0.5 * kPi);
+      turned(point, amplitude_ * std::sin(pi * t) * Profile(radius).value) / radius;
+  return force.radial * along + force.tangential * turned(along, 0.5 * pi);
 }
 
 Stress Vortex::stress(const Vector& point, double t) const {
   const double radius = radius_of(point);
   const Profile h(radius);
-  const double swing = amplitude_ * std::sin(kPi * t);
+  const double swing = amplitude_ * std::sin(pi * t);
   const double shear = radius * swing * h.slope;
   const double mu = Lame(material_).shear;
   const double hoop = mu * (1.0 - std::cos(shear));
@@ -115,7 +116,7 @@ double Vortex::largest_displacement() const {
 }
 
 double Vortex::largest_stress() const {
-  return Lame(material_).shear * std::sin(std::min(largest_shear(), 0.5 * kPi));
+  return Lame(material_).shear * std::sin(std::min(largest_shear(), 0.5 * pi));
 }
 
 double Vortex::largest_shear() const {
@@ -137,7 +138,7 @@ double Vortex::distance_from_published_force() const {
     const double squares = std::pow(4.0 * r - 3.0, 2) * std::pow(4.0 * r - 5.0, 2);
     const double cubic = 96.0 * r * r * r - 240.0 * r * r + 188.0 * r - 45.0;
     const double published =
-        -amplitude_ * std::sin(kPi * t) * (r * kPi * kPi * squares + 64.0 * shear_per_mass * cubic);
+        -amplitude_ * std::sin(pi * t) * (r * pi * pi * squares + 64.0 * shear_per_mass * cubic);
     apart = std::max(apart, std::abs(polar_force(r, t).tangential - published));
     most = std::max(most, std::abs(published));
   }
