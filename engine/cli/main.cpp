@@ -26,6 +26,7 @@ void describe_app(CLI::App& app) {
       "  rgimp check single_flaw.toml      what a run would take\n"
       "  rgimp run single_flaw.toml        run it; results in single_flaw/\n"
       "  rgimp cracks single_flaw          its cracks in numbers\n"
+      "  rgimp grid single_flaw            stresses on the nodes of the grid, for contours\n"
       "  rgimp sweep single_flaw.toml --set 'flaw[0].angle=0:90:15' -o angles\n"
       "                                    seven angles, as many at once as there are threads\n"
       "  rgimp-plot single_flaw            pictures of the results\n"
@@ -52,6 +53,7 @@ int parse_and_run(int argc, char** argv) {
   add_check(app, exit_code);
   add_sweep(app, exit_code);
   add_cracks(app);
+  add_grid(app);
   add_report(app, exit_code);
   add_info(app);
   try {

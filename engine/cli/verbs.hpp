@@ -18,6 +18,8 @@ void add_check(CLI::App& app, int& exit_code);
 void add_sweep(CLI::App& app, int& exit_code);
 /// `rgimp cracks`: says how the cracks of an output directory grew.
 void add_cracks(CLI::App& app);
+/// `rgimp grid`: writes node fields of an output directory's snapshots.
+void add_grid(CLI::App& app);
 /// `rgimp report`: has rgimp-report write a page about an output directory.
 void add_report(CLI::App& app, int& exit_code);
 /// `rgimp info`: what this build and machine are.

@@ -39,9 +39,8 @@ void require(herr_t status, std::string_view action) {
 }
 
 Hdf5Handle create_space(const Hdf5Table& table) {
-  const std::array<hsize_t, 2> extent{table.rows, table.columns};
-  const int rank = table.columns == 1 ? 1 : 2;
-  return {H5Screate_simple(rank, extent.data(), nullptr), H5Sclose, "size HDF5 data"};
+  const int rank = static_cast<int>(table.shape.size());
+  return {H5Screate_simple(rank, table.shape.data(), nullptr), H5Sclose, "size HDF5 data"};
 }
 
 /// Fixed length: VTK reads no other strings.

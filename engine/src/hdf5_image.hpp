@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 namespace rgimp {
 
@@ -63,22 +64,21 @@ hid_t hdf5_type() {
   }
 }
 
-/// A table of numbers in memory, row by row.
+/// Numbers in memory, the last index first.
 struct Hdf5Table {
   const void* data = nullptr;
   hid_t type = H5I_INVALID_HID;
-  hsize_t rows = 0;
-  hsize_t columns = 1;  ///< 1: stored as a plain list
+  std::vector<hsize_t> shape;
 };
 
 template <typename Number>
 Hdf5Table hdf5_table(std::span<const Number> values) {
-  return {values.data(), hdf5_type<Number>(), values.size(), 1};
+  return {values.data(), hdf5_type<Number>(), {values.size()}};
 }
 
 template <typename Number, std::size_t Columns>
 Hdf5Table hdf5_table(std::span<const std::array<Number, Columns>> rows) {
-  return {rows.data(), hdf5_type<Number>(), rows.size(), Columns};
+  return {rows.data(), hdf5_type<Number>(), {rows.size(), Columns}};
 }
 
 /// A group of an HDF5 file being built. Every call throws FileError where HDF5 fails.

@@ -68,7 +68,7 @@ bool is_report(const fs::path& file) {
 
 bool is_snapshot_file(const fs::path& file) {
   const std::string name = final_name(file);
-  return name == kSeries || is_snapshot_name(name);
+  return name == kSeries || name == kGridSeries || is_snapshot_name(name);
 }
 
 template <typename Choice>
@@ -90,6 +90,7 @@ void remove_files(const fs::path& directory, Choice is_ours) {
 /// Removes what a run writes and nothing else. Throws std::filesystem::filesystem_error.
 void remove_own_files(const fs::path& directory) {
   remove_files(directory / kSnapshots, is_snapshot_file);
+  remove_files(directory / kGrid, is_snapshot_file);
   remove_files(directory / kPictures, is_picture);
   remove_files(directory, is_report);
   remove_files(directory, is_top_file);
@@ -100,7 +101,7 @@ void remove_own_files(const fs::path& directory) {
 void refuse_links(const fs::path& directory, ExistingOutput existing) {
   for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
     const fs::path name = entry.path().filename();
-    const bool is_followed = name == kSnapshots || name == kPictures ||
+    const bool is_followed = name == kSnapshots || name == kGrid || name == kPictures ||
                              (existing == ExistingOutput::resume && is_top_file(name));
     if (entry.is_symlink() && is_followed) {
       throw FileError(
@@ -198,8 +199,7 @@ void OutputDirectory::clear() {
 
 void OutputDirectory::go_back_to(std::int64_t step) {
   const auto is_later = [step](const fs::path& file) {
-    return is_snapshot_file(file) && final_name(file) != kSeries &&
-           final_name(file) > snapshot_name(step);
+    return is_snapshot_name(final_name(file)) && final_name(file) > snapshot_name(step);
   };
   const auto is_unfinished = [](const fs::path& file) {
     return file.filename() == "summary.json" ||
@@ -207,6 +207,7 @@ void OutputDirectory::go_back_to(std::int64_t step) {
   };
   try {
     remove_files(path_ / kSnapshots, is_later);
+    remove_files(path_ / kGrid, is_later);
     remove_files(path_, is_unfinished);
   } catch (const fs::filesystem_error& error) {
     fail(path_, error.code());

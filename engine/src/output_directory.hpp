@@ -4,11 +4,16 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "rgimp/run.hpp"
 
 namespace rgimp {
+
+/// Where `rgimp grid` writes, within an output directory.
+inline constexpr std::string_view kGrid = "grid";
+inline constexpr std::string_view kGridSeries = "grid.hdf.series";
 
 /// Directories made on the way to a place; they go again with this object, unless keep() is called.
 class NewDirectories {

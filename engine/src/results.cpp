@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <string>
 #include <system_error>
 
 #include "geometry.hpp"
 #include "input_file.hpp"
+#include "result_files.hpp"
 #include "rgimp/case_file.hpp"
 #include "rgimp/error.hpp"
 #include "snapshot.hpp"
@@ -19,35 +21,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct SnapshotFile {
-  std::int64_t step = -1;
-  fs::path path;
-};
-
 std::int64_t step_of(const fs::path& snapshot) {
   const std::string name = snapshot.stem().string();
   const std::size_t digits = name.find('_') + 1;
   std::int64_t step = -1;
   std::from_chars(name.data() + digits, name.data() + name.size(), step);
   return step;
-}
-
-SnapshotFile last_snapshot(const fs::path& directory) {
-  SnapshotFile last;
-  try {
-    for (const fs::directory_entry& entry : fs::directory_iterator(directory / "snapshots")) {
-      if (is_snapshot_name(entry.path().filename().string()) && step_of(entry.path()) > last.step) {
-        last = {step_of(entry.path()), entry.path()};
-      }
-    }
-  } catch (const fs::filesystem_error& error) {
-    throw FileError(fmt::format("cannot read the snapshots in '{}': {}", directory.string(),
-                                error.code().message()));
-  }
-  if (last.path.empty()) {
-    throw FileError(fmt::format("there are no snapshots in '{}'", directory.string()));
-  }
-  return last;
 }
 
 /// What failed after `step` is intact again.
@@ -62,23 +41,55 @@ void forget_after(std::int64_t step, ParticleTable& particles) {
 
 }  // namespace
 
-Results read_results(const fs::path& directory, std::optional<std::int64_t> until) {
+Case read_case_of_results(const fs::path& directory) {
   std::error_code ignored;
   if (!fs::exists(fs::symlink_status(directory / "case.toml", ignored))) {
     throw CaseError(fmt::format("'{}' is no output directory of `rgimp run`: it has no case.toml",
                                 directory.string()));
   }
   require_regular_file(directory / "case.toml");
+  return read_case(directory / "case.toml");
+}
+
+std::vector<std::int64_t> steps_in(const fs::path& folder) {
+  std::vector<std::int64_t> steps;
+  try {
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+      if (is_snapshot_name(entry.path().filename().string())) {
+        steps.push_back(step_of(entry.path()));
+      }
+    }
+  } catch (const fs::filesystem_error& error) {
+    throw FileError(
+        fmt::format("cannot read directory '{}': {}", folder.string(), error.code().message()));
+  }
+  std::sort(steps.begin(), steps.end());
+  return steps;
+}
+
+std::vector<std::int64_t> snapshot_steps(const fs::path& directory) {
+  std::vector<std::int64_t> steps = steps_in(directory / "snapshots");
+  if (steps.empty()) {
+    throw FileError(fmt::format("there are no snapshots in '{}'", directory.string()));
+  }
+  return steps;
+}
+
+ParticleTable read_particles(const fs::path& directory, const Case& settings, std::int64_t step) {
+  const fs::path file = directory / "snapshots" / snapshot_name(step);
+  require_regular_file(file);
+  return read_snapshot(file, seed_particles(settings).size(), settings.grid.on_exit);
+}
+
+Results read_results(const fs::path& directory, std::optional<std::int64_t> until) {
   Results results;
-  results.settings = read_case(directory / "case.toml");
-  const SnapshotFile last = last_snapshot(directory);
-  require_regular_file(last.path);
-  results.particles = read_snapshot(last.path, seed_particles(results.settings).size(),
-                                    results.settings.grid.on_exit);
+  results.settings = read_case_of_results(directory);
+  const std::int64_t last = snapshot_steps(directory).back();
+  results.particles = read_particles(directory, results.settings, last);
   if (until) {
-    if (*until > last.step) {
+    if (*until > last) {
       throw CaseError(fmt::format("step {} lies past the last snapshot, of step {}, in '{}'",
-                                  *until, last.step, directory.string()));
+                                  *until, last, directory.string()));
     }
     forget_after(*until, results.particles);
   }

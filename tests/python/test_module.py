@@ -14,6 +14,7 @@ from pathlib import Path
 BUILT, RGIMP = sys.argv.pop(1), sys.argv.pop(1)
 sys.path.insert(0, BUILT)
 
+import h5py  # noqa: E402
 import numpy as np  # noqa: E402
 
 import rgimp  # noqa: E402
@@ -266,10 +267,25 @@ class Runs(unittest.TestCase):
                                  capture_output=True, text=True)
         self.assertEqual(cracks, json.loads(printed.stdout))
         self.assertEqual(len(particles), rgimp.Simulation(case).facts().particles)
+        self.check_grid(settings, particles)
         with self.assertRaises(rgimp.CaseError):
             rgimp.run_case(rgimp.Simulation(case), self.folder / "run")
         self.assertEqual(rgimp.run_case(rgimp.Simulation(case), self.folder / "run",
                                         rgimp.ExistingOutput.resume), rgimp.RunEnd.was_finished)
+
+    def check_grid(self, settings, particles):
+        """Fields of the particles that were read are those in the file that is written of them."""
+        fields = rgimp.grid_fields(settings, particles, STEPS)
+        self.assertEqual(fields.stress.shape, (*fields.nodes[::-1], 6))
+        mean = (fields.mass * fields.damage).sum() / fields.mass.sum()
+        self.assertAlmostEqual(mean, particles.damage.mean(), delta=1e-12)
+        written = rgimp.write_grids(self.folder / "run", STEPS)
+        with h5py.File(written.files[0]) as file:
+            for name in ("mass", "velocity", "stress", "damage"):
+                there = file["VTKHDF/PointData"][name][:1]
+                self.assertTrue(np.array_equal(there, getattr(fields, name)), name)
+        with self.assertRaisesRegex(rgimp.CaseError, "no snapshot of step 1 "):
+            rgimp.write_grids(self.folder / "run", 1)
 
     def test_what_a_callback_raises_ends_the_run_with_a_checkpoint(self):
         def refuse(_):

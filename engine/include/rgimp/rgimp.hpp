@@ -7,6 +7,7 @@
 #include "rgimp/cracks.hpp"
 #include "rgimp/error.hpp"
 #include "rgimp/extension.hpp"
+#include "rgimp/grid_fields.hpp"
 #include "rgimp/machine.hpp"
 #include "rgimp/results.hpp"
 #include "rgimp/run.hpp"

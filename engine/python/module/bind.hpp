@@ -12,6 +12,7 @@ namespace rgimp::python {
 namespace py = pybind11;
 
 void bind_case(py::module_& module);
+void bind_grid(py::module_& module);
 void bind_results(py::module_& module);
 void bind_run(py::module_& module);
 void bind_simulation(py::module_& module);

@@ -65,6 +65,7 @@ PYBIND11_MODULE(_rgimp, module) {
   bind_machine(module);
   bind_case(module);
   bind_results(module);
+  bind_grid(module);
   bind_simulation(module);
   bind_run(module);
 }
