@@ -87,6 +87,7 @@ void make_place(const fs::path& directory) {
 
 std::vector<SnapshotTime> times_of(const std::vector<std::int64_t>& steps, const Case& settings) {
   std::vector<SnapshotTime> times;
+  times.reserve(steps.size());
   for (const std::int64_t step : steps) {
     times.push_back({step, time_step(settings) * static_cast<double>(step)});
   }
