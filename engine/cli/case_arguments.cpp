@@ -33,6 +33,10 @@ CLI::Validator at_least(std::int64_t least) {
   return {complaint, ""};
 }
 
+void add_results_option(CLI::App& command, std::filesystem::path& directory) {
+  command.add_option("DIR", directory, "Written by rgimp run")->required()->type_name("DIR");
+}
+
 void add_case_options(CLI::App& command, CaseArguments& arguments) {
   command.add_option("CASE", arguments.file, "Case file (TOML)")
       ->required()

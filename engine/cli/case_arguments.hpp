@@ -23,6 +23,9 @@ struct CaseArguments {
 /// Accepts whole numbers from `least` up.
 CLI::Validator at_least(std::int64_t least);
 
+/// DIR, an output directory of `rgimp run`.
+void add_results_option(CLI::App& command, std::filesystem::path& directory);
+
 void add_case_options(CLI::App& command, CaseArguments& arguments);
 
 /// What of the command line is no override: the number of steps and the threads.

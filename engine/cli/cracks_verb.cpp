@@ -53,9 +53,7 @@ void add_cracks(CLI::App& app) {
       "Measure the cracks of an output directory: wings, angles, order of events; in three "
       "dimensions connected cracks, their extents and areas");
   const auto arguments = std::make_shared<CracksArguments>();
-  command->add_option("DIR", arguments->directory, "Written by rgimp run")
-      ->required()
-      ->type_name("DIR");
+  add_results_option(*command, arguments->directory);
   command
       ->add_option("--step", arguments->step,
                    "State at this step, the end by default; the last snapshot knows them all")

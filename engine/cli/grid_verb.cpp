@@ -39,9 +39,7 @@ void add_grid(CLI::App& app) {
       "Write fields on the grid's nodes for every snapshot of an output directory: mass (kg), "
       "velocity (m/s), stress (Pa), damage");
   const auto arguments = std::make_shared<GridArguments>();
-  command->add_option("DIR", arguments->directory, "Written by rgimp run")
-      ->required()
-      ->type_name("DIR");
+  add_results_option(*command, arguments->directory);
   command->add_option("--step", arguments->step, "Of the snapshot of this step only")
       ->type_name("N")
       ->check(at_least(0));

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "case_arguments.hpp"
 #include "sibling_program.hpp"
 #include "verbs.hpp"
 
@@ -32,9 +33,7 @@ void add_report(CLI::App& app, int& exit_code) {
       "Write one HTML page about an output directory, which needs no network: case, pictures, "
       "crack growth with a slider, curves, cracks, speed");
   const auto arguments = std::make_shared<ReportArguments>();
-  command->add_option("DIR", arguments->directory, "Written by rgimp run")
-      ->required()
-      ->type_name("DIR");
+  add_results_option(*command, arguments->directory);
   command
       ->add_option("-o,--output", arguments->page,
                    "Where the page goes, report.html in DIR by default")

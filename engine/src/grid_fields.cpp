@@ -7,6 +7,7 @@
 
 #include "geometry.hpp"
 #include "grid_motion.hpp"
+#include "grid_of_seeds.hpp"
 #include "rgimp/error.hpp"
 #include "time_step.hpp"
 
@@ -134,7 +135,11 @@ GridFields empty_fields(const Case& settings, std::int64_t step) {
 }  // namespace
 
 GridFields grid_fields(const Case& settings, const ParticleTable& particles, std::int64_t step) {
-  const std::vector<ParticleSeed> seeds = seed_particles(settings);
+  return grid_fields(settings, seed_particles(settings), particles, step);
+}
+
+GridFields grid_fields(const Case& settings, const std::vector<ParticleSeed>& seeds,
+                       const ParticleTable& particles, std::int64_t step) {
   GridFields fields = empty_fields(settings, step);
   const Places places(fields, settings);
   Sums sums(fields);

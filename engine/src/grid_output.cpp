@@ -4,11 +4,11 @@
 #include <span>
 
 #include "atomic_file.hpp"
+#include "grid_of_seeds.hpp"
 #include "hdf5_image.hpp"
 #include "output_directory.hpp"
 #include "result_files.hpp"
 #include "rgimp/error.hpp"
-#include "rgimp/grid_fields.hpp"
 #include "snapshot.hpp"
 #include "time_step.hpp"
 
@@ -36,12 +36,13 @@ std::int64_t layers(const GridFields& fields) {
 /// In VTK's order of the axes: x runs fastest.
 template <typename Value>
 void write_field(const Hdf5Group& data, const std::string& name, std::string_view units,
-                 std::vector<Value> values, const GridFields& fields) {
+                 const std::vector<Value>& values, const GridFields& fields) {
+  std::vector<Value> twice;
   if (fields.nodes[2] == 1) {
-    const std::vector<Value> once = values;
-    values.insert(values.end(), once.begin(), once.end());
+    twice = values;
+    twice.insert(twice.end(), values.begin(), values.end());
   }
-  Hdf5Table table = hdf5_table(std::span<const Value>(values));
+  Hdf5Table table = hdf5_table(std::span<const Value>(twice.empty() ? values : twice));
   std::vector<hsize_t> shape{static_cast<hsize_t>(layers(fields)),
                              static_cast<hsize_t>(fields.nodes[1]),
                              static_cast<hsize_t>(fields.nodes[0])};
@@ -122,10 +123,11 @@ WrittenGrids write_grids(const fs::path& directory, std::optional<std::int64_t> 
     steps = {*step};
   }
   make_place(directory);
+  const std::vector<ParticleSeed> seeds = seed_particles(settings);
   WrittenGrids written;
   for (const std::int64_t each : steps) {
     const GridFields fields =
-        grid_fields(settings, read_particles(directory, settings, each), each);
+        grid_fields(settings, seeds, read_particles(directory, settings, seeds.size(), each), each);
     write_grid_fields(grid_file(directory, each), fields);
     written.files.push_back(grid_file(directory, each));
     written.particles_outside = fields.particles_outside;

@@ -21,7 +21,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view kSnapshots = "snapshots";
 constexpr std::string_view kPictures = "pictures";
 // Not .vtkhdf.series: ParaView 5.11 has a reader for what the snapshots hold, but looks for it by
 // the ending .hdf alone.

@@ -11,6 +11,8 @@
 
 namespace rgimp {
 
+/// Where a run puts its snapshots, within its output directory.
+inline constexpr std::string_view kSnapshots = "snapshots";
 /// Where `rgimp grid` writes, within an output directory.
 inline constexpr std::string_view kGrid = "grid";
 inline constexpr std::string_view kGridSeries = "grid.hdf.series";

@@ -15,8 +15,9 @@ Case read_case_of_results(const std::filesystem::path& directory);
 std::vector<std::int64_t> steps_in(const std::filesystem::path& folder);
 /// Of the snapshots there are, rising; at least one.
 std::vector<std::int64_t> snapshot_steps(const std::filesystem::path& directory);
-/// `settings` are those of the directory, `step` one of its snapshots'.
+/// `settings` are those of the directory and have `particles` particles, `step` is one of its
+/// snapshots'.
 ParticleTable read_particles(const std::filesystem::path& directory, const Case& settings,
-                             std::int64_t step);
+                             std::size_t particles, std::int64_t step);
 
 }  // namespace rgimp

@@ -9,6 +9,7 @@
 
 #include "geometry.hpp"
 #include "input_file.hpp"
+#include "output_directory.hpp"
 #include "result_files.hpp"
 #include "rgimp/case_file.hpp"
 #include "rgimp/error.hpp"
@@ -68,24 +69,26 @@ std::vector<std::int64_t> steps_in(const fs::path& folder) {
 }
 
 std::vector<std::int64_t> snapshot_steps(const fs::path& directory) {
-  std::vector<std::int64_t> steps = steps_in(directory / "snapshots");
+  std::vector<std::int64_t> steps = steps_in(directory / kSnapshots);
   if (steps.empty()) {
     throw FileError(fmt::format("there are no snapshots in '{}'", directory.string()));
   }
   return steps;
 }
 
-ParticleTable read_particles(const fs::path& directory, const Case& settings, std::int64_t step) {
-  const fs::path file = directory / "snapshots" / snapshot_name(step);
+ParticleTable read_particles(const fs::path& directory, const Case& settings, std::size_t particles,
+                             std::int64_t step) {
+  const fs::path file = directory / kSnapshots / snapshot_name(step);
   require_regular_file(file);
-  return read_snapshot(file, seed_particles(settings).size(), settings.grid.on_exit);
+  return read_snapshot(file, particles, settings.grid.on_exit);
 }
 
 Results read_results(const fs::path& directory, std::optional<std::int64_t> until) {
   Results results;
   results.settings = read_case_of_results(directory);
   const std::int64_t last = snapshot_steps(directory).back();
-  results.particles = read_particles(directory, results.settings, last);
+  results.particles =
+      read_particles(directory, results.settings, seed_particles(results.settings).size(), last);
   if (until) {
     if (*until > last) {
       throw CaseError(fmt::format("step {} lies past the last snapshot, of step {}, in '{}'",

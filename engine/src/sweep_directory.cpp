@@ -58,7 +58,7 @@ std::vector<fs::path> stale_directories(const fs::path& path, const Sweep& sweep
 void remove_results(const fs::path& directory) {
   { const OutputDirectory cleared(directory, ExistingOutput::replace); }
   std::error_code not_empty;
-  fs::remove(directory / "snapshots", not_empty);
+  fs::remove(directory / kSnapshots, not_empty);
   fs::remove(directory, not_empty);
 }
 

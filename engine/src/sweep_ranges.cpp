@@ -54,7 +54,7 @@ std::optional<double> number(std::string_view text) {
 /// Rounded to 12 digits: 0.1:0.3:0.1 gives 0.3 and not 0.30000000000000004.
 std::vector<std::string> steps(std::string_view change,
                                const std::vector<std::string_view>& parts) {
-  constexpr double kShareOfStep = 1e-9;  // of a step
+  constexpr double kShareOfStep = 1e-9;  // round-off
   std::array<double, 3> values{};
   for (std::size_t i = 0; i < values.size(); ++i) {
     const auto value = parts.size() == values.size() ? number(parts[i]) : std::nullopt;

@@ -21,7 +21,7 @@ struct GridFields {
   Vector origin = Vector::Zero();               ///< m
   Vector spacing = Vector::Zero();              ///< m, edges of a cell; they follow platens
   std::array<std::int64_t, 3> nodes{};          ///< per axis; 1 along z in 2D
-  std::vector<double> mass;                     ///< kg (2D: per metre of thickness), Eq. 5
+  std::vector<double> mass;                     ///< kg (2D: per metre of thickness)
   std::vector<std::array<double, 3>> velocity;  ///< m/s, momentum over mass
   std::vector<std::array<double, 6>> stress;    ///< Pa; xx, yy, zz, xy, yz, xz; tension > 0
   std::vector<double> damage;                   ///< 1, share of the strength lost
@@ -35,7 +35,7 @@ struct GridFields {
 /// 0. Throws CaseError for an id that the case does not have.
 GridFields grid_fields(const Case& settings, const ParticleTable& particles, std::int64_t step);
 
-/// Writes them as VTKHDF 1.0 image data, which VTK >= 9.1 and ParaView >= 5.10 open, and any HDF5
+/// Writes them as VTKHDF 1.0 image data, which VTK >= 9.1 opens, and any HDF5
 /// reader: arrays of shape (z, y, x) or (z, y, x, component). Planes become slabs of two equal
 /// layers of nodes, a cell apart: VTK 9.1 crashes at one. Throws FileError; then no file is left.
 void write_grid_fields(const std::filesystem::path& path, const GridFields& fields);

@@ -6,7 +6,6 @@
 using std::numbers::pi;
 
 namespace rgimp::verification {
-namespace {}  // namespace
 
 AxisAligned::AxisAligned(double amplitude)
     : amplitude_(amplitude),
