@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "rgimp/case_file.hpp"
@@ -49,6 +50,19 @@ void require_same_case(const Case& settings, std::string_view text_of_checkpoint
   } while (line_here == line_there && here && there);
   throw CaseError(fmt::format("'{}' is of another case: it has '{}' where this one has '{}'",
                               checkpoint, line_there, line_here));
+}
+
+void require_own_functions(const std::vector<std::string>& set,
+                           const std::vector<std::string>& of_checkpoint,
+                           std::string_view checkpoint) {
+  for (const std::string& name : of_checkpoint) {
+    if (std::ranges::find(set, name) == set.end()) {
+      throw CaseError(
+          fmt::format("checkpoint '{}': a function of the program acted on it: call {}() before "
+                      "restore()",
+                      checkpoint, name));
+    }
+  }
 }
 
 }  // namespace rgimp

@@ -68,7 +68,10 @@ void CheckpointWriter::add(std::string_view name, std::string_view type, std::si
 }
 
 void CheckpointWriter::finish(const CheckpointLabel& label) {
-  const Json index{{"case", label.case_text}, {"note", label.note}, {"columns", index_->columns}};
+  const Json index{{"case", label.case_text},
+                   {"note", label.note},
+                   {"own functions", label.own_functions},
+                   {"columns", index_->columns}};
   const std::string text = index.dump();
   write(text);
   write(word(text.size()));
@@ -122,6 +125,7 @@ void CheckpointReader::read_index(std::string_view body) {
   const Json index = Json::parse(body.substr(left.size()));
   label_.case_text = index.at("case").get<std::string>();
   label_.note = index.at("note").get<std::string>();
+  label_.own_functions = index.value("own functions", label_.own_functions);
   for (const Json& entry : index.at("columns")) {
     const auto name = entry.at("name").get<std::string>();
     const auto type = entry.at("type").get<std::string>();

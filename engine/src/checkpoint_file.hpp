@@ -35,6 +35,8 @@ inline constexpr std::uint64_t kCheckpointVersion = 1;
 struct CheckpointLabel {
   std::string case_text;  ///< the case, as far as it bears on the state
   std::string note;       ///< of whoever asked for the checkpoint
+  /// Names of the program's functions that acted on the state; no checkpoint can hold them.
+  std::vector<std::string> own_functions = {};
 };
 
 /// The name of a type of number in the index.

@@ -14,6 +14,7 @@ template <int Dim>
 class Loading {
  public:
   void set(AccelerationField field, std::size_t nodes);
+  bool is_set() const { return static_cast<bool>(field_); }
 
   /// Before the nodes' update, so that damping sees it: adds mass times acceleration at `time`.
   void add_forces(const kernels::GridView<Dim>& grid, double time, double least_mass,

@@ -131,7 +131,7 @@ class Simulation::Implementation {
     with_solver([&](auto& solver) {
       CheckpointWriter checkpoint(path, solver.steps_done());
       solver.save(checkpoint);
-      checkpoint.finish({case_of_state(settings_), std::string(note)});
+      checkpoint.finish({case_of_state(settings_), std::string(note), solver.own_functions()});
     });
   }
 
@@ -147,7 +147,11 @@ class Simulation::Implementation {
     }
     const CheckpointReader checkpoint(path.string(), read_bytes(path));
     require_same_case(settings_, checkpoint.label().case_text, path.string());
-    with_solver([&](auto& solver) { solver.restore(checkpoint); });
+    with_solver([&](auto& solver) {
+      require_own_functions(solver.own_functions(), checkpoint.label().own_functions,
+                            path.string());
+      solver.restore(checkpoint);
+    });
     is_half_done_ = false;
     return checkpoint.label().note;
   }

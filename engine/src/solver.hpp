@@ -48,6 +48,8 @@ class Solver {
   void set_initial_state(const InitialField& field);
   void set_acceleration(AccelerationField field);
   void set_criterion(FailureCriterion criterion);
+  /// Names of those of the two functions above that have set one.
+  std::vector<std::string> own_functions() const;
 
   std::int64_t steps_done() const { return steps_done_; }
   double time() const { return dt_ * static_cast<double>(steps_done_); }

@@ -24,6 +24,18 @@ void Solver<Dim>::set_criterion(FailureCriterion criterion) {
 }
 
 template <int Dim>
+std::vector<std::string> Solver<Dim>::own_functions() const {
+  std::vector<std::string> names;
+  if (loading_.is_set()) {
+    names.emplace_back("set_acceleration");
+  }
+  if (criterion_) {
+    names.emplace_back("set_criterion");
+  }
+  return names;
+}
+
+template <int Dim>
 void Solver<Dim>::fail_by_own_criterion() {
   if (!criterion_) {
     return;
@@ -60,11 +72,13 @@ void Solver<Dim>::note_first_failure() {
 template void Solver<2>::set_initial_state(const InitialField&);
 template void Solver<2>::set_acceleration(AccelerationField);
 template void Solver<2>::set_criterion(FailureCriterion);
+template std::vector<std::string> Solver<2>::own_functions() const;
 template void Solver<2>::fail_by_own_criterion();
 template void Solver<2>::note_first_failure();
 template void Solver<3>::set_initial_state(const InitialField&);
 template void Solver<3>::set_acceleration(AccelerationField);
 template void Solver<3>::set_criterion(FailureCriterion);
+template std::vector<std::string> Solver<3>::own_functions() const;
 template void Solver<3>::fail_by_own_criterion();
 template void Solver<3>::note_first_failure();
 

@@ -93,6 +93,33 @@ TEST_CASE("a restored simulation with its functions set again goes on to the sam
   REQUIRE(resumed.history().released_energy == whole.history().released_energy);
 }
 
+TEST_CASE("a checkpoint is refused where a function that acted on it is missing") {
+  const TemporaryDirectory directory;
+  const auto path = directory.path() / "state.rgimp";
+  Simulation with_both = simulation_with_functions();
+  with_both.run_until(5);
+  with_both.save(path);
+
+  Simulation with_neither(with_both.settings());
+  const std::uint64_t hash = with_neither.state_hash();
+  CHECK_THROWS_WITH(with_neither.restore(path), "checkpoint '" + path.string() +
+                                                    "': a function of the program acted on it: " +
+                                                    "call set_acceleration() before restore()");
+  Simulation with_load(with_both.settings());
+  with_load.set_acceleration(pushing);
+  CHECK_THROWS_WITH(with_load.restore(path),
+                    Catch::EndsWith("call set_criterion() before restore()"));
+  CHECK(with_neither.steps_done() == 0);
+  CHECK(with_neither.state_hash() == hash);
+
+  // One that has ended is not asked for.
+  with_both.set_acceleration({});
+  with_both.set_criterion({});
+  with_both.save(path);
+  with_neither.restore(path);
+  CHECK(with_neither.state_hash() == with_both.state_hash());
+}
+
 TEST_CASE("the budget closes under an own load, moving platens and damping") {
   Case settings = compressed_block(6.0, 10.0, 0.2);
   settings.local_damping = 0.3;

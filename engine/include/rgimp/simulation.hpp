@@ -132,8 +132,8 @@ class Simulation {
   void set_initial_state(const InitialField& field);
   /// From now on accelerates the nodes by `field` beside Case::body_acceleration, which it is like
   /// in all else: local damping sees it, and its work is part of HistoryRow::external_work. An
-  /// empty function ends it. No checkpoint holds it: set it again before a restored simulation goes
-  /// on. What it throws comes out of step(), which is then half done: see step().
+  /// empty function ends it. No checkpoint holds it, only that there was one: set it again before
+  /// restore(). What it throws comes out of step(), which is then half done: see step().
   void set_acceleration(AccelerationField field);
   /// From now on particles fail by `criterion` too, at the end of the step, beside the criterion of
   /// their material where that has one, and are treated as their material says, by default as those
@@ -153,7 +153,8 @@ class Simulation {
   void save(const std::filesystem::path& path, std::string_view note = {}) const;
   /// Takes the state of a checkpoint and returns its note. Throws FileError for a file that cannot
   /// be read, is damaged or of another format, CaseError for one of another case (its output,
-  /// tuning, grid.on_exit and number of steps may differ); then this simulation is as it was.
+  /// tuning, grid.on_exit and number of steps may differ) and for one of a simulation with an own
+  /// acceleration or criterion where this one has none; then this simulation is as it was.
   std::string restore(const std::filesystem::path& path);
 
   /// Steps since the start of the case, those before a restored checkpoint too.
