@@ -8,7 +8,7 @@
 #include <string>
 
 #include "rgimp/kernels/table.hpp"
-#include "rgimp/simulation.hpp"
+#include "rgimp/version.hpp"
 
 namespace rgimp::bench {
 namespace {

@@ -6,6 +6,7 @@
 #include "facts.hpp"
 #include "json_output.hpp"
 #include "rgimp/machine.hpp"
+#include "rgimp/version.hpp"
 #include "verbs.hpp"
 
 namespace rgimp::cli {

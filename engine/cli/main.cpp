@@ -9,7 +9,7 @@
 #include "exit_codes.hpp"
 #include "messages.hpp"
 #include "rgimp/error.hpp"
-#include "rgimp/simulation.hpp"
+#include "rgimp/version.hpp"
 #include "verbs.hpp"
 
 /// The `rgimp` command: a thin client of the library.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "rgimp/version.hpp"
+
 namespace rgimp {
 
 namespace {

@@ -1,4 +1,4 @@
-#include "rgimp/simulation.hpp"
+#include "rgimp/version.hpp"
 
 namespace rgimp {
 

@@ -208,4 +208,10 @@ TEST_CASE("errors are of the type that says who can help") {
   CHECK_THROWS_AS(trace_cracks(place / std::string(300, 'x')), CaseError);
 }
 
+TEST_CASE("the version that a program is compiled with is that of the library") {
+  CHECK(version() == std::to_string(RGIMP_VERSION_MAJOR) + "." +
+                         std::to_string(RGIMP_VERSION_MINOR) + "." +
+                         std::to_string(RGIMP_VERSION_PATCH));
+}
+
 }  // namespace rgimp::tests

@@ -10,6 +10,7 @@
 #include "history_file.hpp"
 #include "output_schedule.hpp"
 #include "rgimp/error.hpp"
+#include "rgimp/version.hpp"
 #include "summary.hpp"
 #include "temporary_directory.hpp"
 

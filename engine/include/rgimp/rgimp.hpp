@@ -15,3 +15,4 @@
 #include "rgimp/specimen.hpp"
 #include "rgimp/sweep.hpp"
 #include "rgimp/tuning.hpp"
+#include "rgimp/version.hpp"

@@ -191,7 +191,4 @@ class Simulation {
   std::unique_ptr<Implementation> implementation_;
 };
 
-/// The name of the library's version, "0.1.0".
-std::string_view version();
-
 }  // namespace rgimp

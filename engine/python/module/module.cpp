@@ -4,7 +4,7 @@
 #include "bind.hpp"
 #include "rgimp/error.hpp"
 #include "rgimp/machine.hpp"
-#include "rgimp/simulation.hpp"
+#include "rgimp/version.hpp"
 
 namespace rgimp::python {
 namespace {
