@@ -13,6 +13,7 @@ packages=(
   # tests and benchmarks
   catch2 libbenchmark-dev python3-vtk9 groff-base chromium chromium-driver python3-selenium
   python3-pandas # of a recipe in engine/docs/data.md
+  zsh fish # completion
   # pictures and reports
   python3 python3-numpy python3-h5py python3-matplotlib python3-jinja2
   "$@"

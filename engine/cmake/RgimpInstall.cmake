@@ -45,8 +45,7 @@ install(FILES ${PROJECT_BINARY_DIR}/rgimp.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}
 # ---- runtime
 install(TARGETS rgimp)
 install(FILES ${compressed}/rgimp.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-install(FILES ${PROJECT_SOURCE_DIR}/engine/cli/completion/rgimp.bash
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME rgimp)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/engine/cli/completion/ DESTINATION ${CMAKE_INSTALL_DATADIR})
 
 # Programs in Python find their modules beside the file that a link to them leads to.
 set(python ${PROJECT_SOURCE_DIR}/engine/python)

@@ -82,7 +82,9 @@ class Package(unittest.TestCase):
     def test_man_page_and_completion_are_where_they_are_looked_for(self):
         share = self.prefix / "share"
         self.assertTrue((share / "man/man1/rgimp.1.gz").is_file())
-        self.assertTrue((share / "bash-completion/completions/rgimp").is_file())
+        for name in ("bash-completion/completions/rgimp", "zsh/vendor-completions/_rgimp",
+                     "fish/vendor_completions.d/rgimp.fish"):
+            self.assertTrue((share / name).is_file(), name)
 
     def test_subdirectory_brings_no_tests_and_installs_nothing(self):
         build = self.folder / "add_subdirectory"
