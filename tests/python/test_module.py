@@ -209,6 +209,105 @@ class Steps(unittest.TestCase):
         self.assertEqual(first.state_hash(), second.state_hash())
 
 
+def pulled(position, time):
+    return [1e5 if position[1] > 0.0 else -1e5, -2e5]
+
+
+def seam(particle):
+    weak = abs(particle.position[1]) < 1e-3 and particle.stress[1, 1] < -1e5
+    return rgimp.FailureMode.shear if weak else rgimp.FailureMode.intact
+
+
+class OwnFunctions(unittest.TestCase):
+    def test_a_constant_acceleration_is_the_case_s(self):
+        case = small_case()
+        own = rgimp.Simulation(case)
+        own.set_acceleration(lambda position, time: (0.0, -50.0))
+        own.run_until(40)
+        case.body_acceleration = [0.0, -50.0]
+        expected = rgimp.Simulation(case)
+        expected.run_until(40)
+        self.assertEqual(own.state_hash(), expected.state_hash())
+        own.set_acceleration(None)
+        own.run_until(50)
+        expected.run_until(50)
+        self.assertNotEqual(own.state_hash(), expected.state_hash())
+
+    def test_an_initial_state_is_what_the_particles_have(self):
+        simulation = rgimp.Simulation(small_case())
+        stress = np.array([[1e5, 2e4, 0.0], [2e4, -3e5, 0.0], [0.0, 0.0, 4e4]])
+        simulation.set_initial_state(lambda position: rgimp.InitialState(
+            velocity=[position[1], -position[0]], stress=stress))
+        particles = simulation.particles()
+        np.testing.assert_array_equal(particles.velocity[:, 0], particles.position[:, 1])
+        np.testing.assert_array_equal(particles.velocity[:, 1], -particles.position[:, 0])
+        np.testing.assert_array_equal(particles.stress[:, :4],
+                                      np.tile([1e5, -3e5, 4e4, 2e4], (len(particles), 1)))
+        with self.assertRaisesRegex(rgimp.CaseError, "not symmetric"):
+            simulation.set_initial_state(lambda position: rgimp.InitialState(
+                stress=np.triu(stress)))
+
+    def test_own_functions_give_the_same_bits_on_any_number_of_threads(self):
+        hashes = set()
+        for threads in (1, 2):
+            case = small_case()
+            case.tuning.threads = threads
+            simulation = rgimp.Simulation(case)
+            simulation.set_acceleration(pulled)
+            simulation.set_criterion(seam)
+            simulation.run_until(120)
+            history = simulation.history()
+            self.assertGreater(history.failed_shear, 5)
+            self.assertEqual(history.failed_tension, 0)
+            failed = simulation.particles().failed == int(rgimp.FailureMode.shear)
+            self.assertLess(np.abs(simulation.particles().position[failed, 1]).max(), 1.1e-3)
+            hashes.add(simulation.state_hash())
+        self.assertEqual(len(hashes), 1)
+
+    def test_a_checkpoint_needs_the_functions_that_acted_on_it(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "state.rgimp"
+            simulation = rgimp.Simulation(small_case())
+            simulation.set_criterion(seam)
+            simulation.run_until(5)
+            simulation.save(path)
+            other = rgimp.Simulation(small_case())
+            with self.assertRaisesRegex(rgimp.CaseError, "call set_criterion"):
+                other.restore(path)
+            other.set_criterion(seam)
+            other.restore(path)
+            self.assertEqual(other.state_hash(), simulation.state_hash())
+
+    def test_what_a_function_raises_leaves_the_step_half_done(self):
+        simulation = rgimp.Simulation(small_case())
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "state.rgimp"
+            simulation.save(path)
+            simulation.set_criterion(lambda particle: 1 / 0)
+            with self.assertRaises(ZeroDivisionError):
+                simulation.run_until(10)
+            with self.assertRaisesRegex(rgimp.Error, "half done"):
+                simulation.step()
+            simulation.set_criterion(None)
+            simulation.restore(path)
+            simulation.run_until(10)
+
+    def test_wrong_values_and_looking_at_the_simulation_are_refused(self):
+        for setter, function, error, text in (
+                ("set_acceleration", lambda x, t: "up", TypeError, "two or three numbers, not 'up'"),
+                ("set_acceleration", lambda x, t: [1.0], ValueError, "not 1"),
+                ("set_acceleration", lambda x: [0.0, 0.0], TypeError, "argument"),
+                ("set_criterion", lambda particle: None, TypeError, "a FailureMode, not None"),
+                ("set_initial_state", lambda x: [0.0], TypeError, "an InitialState, not"),
+                ("set_acceleration", lambda x, t: [simulation.time(), 0], RuntimeError,
+                 "cannot look at it")):
+            with self.subTest(setter=setter, text=text):
+                simulation = rgimp.Simulation(small_case())
+                with self.assertRaisesRegex(error, text):
+                    getattr(simulation, setter)(function)
+                    simulation.step()
+
+
 class Threads(unittest.TestCase):
     def test_others_go_on_but_not_with_the_same_simulation(self):
         simulation = rgimp.Simulation(block())

@@ -138,6 +138,7 @@ void bind_simulation(py::module_& module) {
   bind_steps(type);
   bind_files(type);
   bind_readings(type);
+  bind_extension(module, type);
 }
 
 }  // namespace rgimp::python

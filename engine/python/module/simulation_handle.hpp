@@ -20,8 +20,23 @@ class SimulationHandle {
  public:
   explicit SimulationHandle(Case settings) : simulation_(std::move(settings)) {}
 
+  /// While it lives, the simulation cannot be looked at: a step is half done.
+  class NoReading {
+   public:
+    explicit NoReading(SimulationHandle& handle) : handle_(handle) { ++handle_.no_reading_; }
+    ~NoReading() { --handle_.no_reading_; }
+    NoReading(const NoReading&) = delete;
+    NoReading& operator=(const NoReading&) = delete;
+
+   private:
+    SimulationHandle& handle_;
+  };
+
   /// To read. While steps are taken, only their own thread may: an observer.
   const Simulation& read() const {
+    if (no_reading_ > 0) {
+      throw std::runtime_error("the simulation is within a step: own functions cannot look at it");
+    }
     if (changing_ && thread_ != std::this_thread::get_id()) {
       throw std::runtime_error("the simulation is stepping on another thread");
     }
@@ -88,6 +103,7 @@ class SimulationHandle {
   Simulation simulation_;
   std::weak_ptr<Lending> lending_;
   bool changing_ = false;
+  int no_reading_ = 0;
   std::thread::id thread_;
 };
 
@@ -99,5 +115,6 @@ struct LentColumns {
 };
 
 void bind_columns(py::module_& module);
+void bind_extension(py::module_& module, py::class_<SimulationHandle>& type);
 
 }  // namespace rgimp::python
