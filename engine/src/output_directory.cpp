@@ -93,6 +93,10 @@ void remove_own_files(const fs::path& directory) {
   remove_files(directory / kPictures, is_picture);
   remove_files(directory, is_report);
   remove_files(directory, is_top_file);
+  for (const std::string_view emptied : {kGrid, kPictures}) {  // the run makes none anew
+    std::error_code not_empty;
+    fs::remove(directory / emptied, not_empty);
+  }
 }
 
 /// Through a link we would delete and write outside the output directory. A file's link is itself

@@ -141,9 +141,11 @@ class RefusalTest(SweepTest):
         self.assertEqual(os.listdir(self.place), ["block.toml"])
 
     def test_a_used_directory(self):
-        self.sweep(*SPEEDS)
+        self.sweep("--set", "platen[0].speed=-1:2:1")
         (self.place / "out" / "notes.txt").write_text("mine", encoding="utf-8")
         (self.place / "out/003/notes.txt").write_text("mine", encoding="utf-8")
+        self.rgimp("grid", "out/004")
+        (self.place / "out/004/pictures").mkdir()
         self.fail_with(WRONG_REQUEST, "sweep", self.case, *INTEGRATORS, "-o", "out",
                        says=["'out' is not empty", "--force", "--resume"])
         self.fail_with(WRONG_REQUEST, "sweep", self.case, *INTEGRATORS, "-o", "out", "--resume",
