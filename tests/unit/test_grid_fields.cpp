@@ -17,7 +17,32 @@ Case moving_block() {
   return settings;
 }
 
-/// Mass and momentum of the nodes as a step starts with them: the engine's own scatter.
+/// The same beside a heavier one that moves otherwise.
+Case moving_blocks() {
+  Case settings = moving_block();
+  Body heavy = settings.bodies.front();
+  heavy.center.x() += heavy.size.x();
+  heavy.velocity = Vector(-1.0, 2.0, 0.0);
+  heavy.material = "heavy";
+  settings.materials["heavy"] = settings.materials["rock"];
+  settings.materials["heavy"].density *= 3.0;
+  settings.bodies.push_back(heavy);
+  return settings;
+}
+
+void remove_first(ParticleTable& particles) {
+  const auto remove = [](auto& column) { column.erase(column.begin()); };
+  remove(particles.id);
+  remove(particles.position);
+  remove(particles.velocity);
+  remove(particles.stress);
+  remove(particles.max_principal_stress);
+  remove(particles.failed);
+  remove(particles.damage);
+  remove(particles.failure_step);
+}
+
+/// The masses of the nodes as a step starts with them: the engine's own scatter.
 template <int Dim>
 void check_against_engine(const Case& settings) {
   ModelIn<Dim> model(settings);
@@ -48,6 +73,47 @@ void check_against_engine(const Case& settings) {
 TEST_CASE("nodes of the fields hold the mass that steps put there") {
   check_against_engine<2>(moving_block());
   check_against_engine<3>(in_space(moving_block(), 4.0));
+}
+
+TEST_CASE("the nodes are where the platens have moved the grid to") {
+  check_against_engine<2>(compressed_block(4.0, 6.0, 2.0));
+}
+
+TEST_CASE("nodes average velocity by mass, stress and damage by volume") {
+  const Case settings = moving_blocks();
+  Model model(settings);
+  ParticleTable particles = table_of(model.solver.particles());
+  remove_first(particles);  // ids and rows differ from here on
+  for (std::size_t row = 0; row < particles.size(); ++row) {
+    particles.stress[row] = {-1.0, 2.0, 3.0, 4.0, 5.0, 6.0};
+    particles.damage[row] = 0.25;
+  }
+  const GridFields fields = grid_fields(settings, particles, 0);
+  double largest = 0.0;
+  std::array<double, 2> momentum{};
+  for (std::size_t node = 0; node < fields.mass.size(); ++node) {
+    if (fields.mass[node] > 0.0) {
+      for (std::size_t c = 0; c < 6; ++c) {
+        largest = std::max(largest, std::abs(fields.stress[node][c] - particles.stress[0][c]));
+      }
+      largest = std::max(largest, std::abs(fields.damage[node] - 0.25));
+    }
+    for (std::size_t a = 0; a < 2; ++a) {
+      momentum[a] += fields.mass[node] * fields.velocity[node][a];
+    }
+  }
+  CHECK(largest < 1e-12);
+  const Particles<2>& columns = model.solver.particles();
+  std::array<double, 2> expected{};
+  for (std::size_t lane = 0; lane < columns.lanes(); ++lane) {
+    if (!columns.is_padding(lane) && columns.id[lane] != 0) {
+      for (std::size_t a = 0; a < 2; ++a) {
+        expected[a] += columns.mass[lane] * columns.velocity[a][lane];
+      }
+    }
+  }
+  CHECK(momentum[0] == Approx(expected[0]).epsilon(1e-12));
+  CHECK(momentum[1] == Approx(expected[1]).epsilon(1e-12));
 }
 
 TEST_CASE("particles out of the grid's reach are counted and left out, unknown ones refused") {
