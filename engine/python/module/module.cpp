@@ -1,6 +1,8 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <utility>
+
 #include "bind.hpp"
 #include "rgimp/error.hpp"
 #include "rgimp/machine.hpp"
@@ -29,7 +31,7 @@ py::object& physics_error() {
 
 void translate_physics_error(std::exception_ptr error) {
   try {
-    std::rethrow_exception(error);
+    std::rethrow_exception(std::move(error));
   } catch (const PhysicsError& stopped) {
     py::object made = physics_error()(stopped.what());
     made.attr("report") = stopped.report();
