@@ -7,6 +7,7 @@ import subprocess
 import sys
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import numpy as np
 
@@ -55,6 +56,17 @@ class ReportTest(HostileSnapshots, PlotTest):
         for frame in frames:
             self.assertEqual(frame["tension"], cracked.sum() * (frame["step"] >= 2000), frame)
             self.assertEqual(frame["shear"], 0)
+
+    def test_of_very_many_failures_a_sample_is_drawn_and_all_are_counted(self):
+        self.write(TENSION)
+        whole = self.data(self.page(), "growth")
+        with mock.patch("rgimp_report.growth_data.MOST_PARTICLES", 10):
+            page = self.page()
+        growth = self.data(page, "growth")
+        self.assertGreater(whole["failed"], 10)
+        self.assertEqual((whole["drawn"], growth["drawn"]), (whole["failed"], 10))
+        self.assertEqual(growth["frames"], whole["frames"])
+        self.assertIn(f"draws 10 of {whole['failed']} failed particles", page)
 
     def test_curves_are_those_of_the_history(self):
         self.write(TENSION)
