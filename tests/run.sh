@@ -17,6 +17,7 @@ stages=( # NAME | gate or nightly | what it does
   "valgrind|nightly|memcheck over the unit tests and a small run, its cracks included"
   "package|nightly|outside programs that build RGIMP by add_subdirectory and FetchContent"
   "clean-root|nightly|the Debian packages in a new root: install, run, link, remove (as root)"
+  "paraview|nightly|snapshots and grids of a run in ParaView, in a new root (as root)"
   "docs|nightly|the site of engine/docs, whose warnings are errors, and its formulas in a browser"
   "tidy|nightly|clang-tidy over every source file"
 )
@@ -108,6 +109,12 @@ stage_clean_root() {
   install_packages mmdebstrap
   build_release
   bash "$rgimp_root/tests/package/clean_root.sh" build/release
+}
+
+stage_paraview() {
+  install_packages mmdebstrap
+  build_release
+  bash "$rgimp_root/tests/package/in_paraview.sh" build/release
 }
 
 # MathJax puts a merror where it does not know what a formula asks for.

@@ -1,13 +1,10 @@
 #!/usr/bin/env bash
 # What a stranger does, in a new Debian root with nothing but the packages of `cpack`:
 # clean_root.sh BUILD. Needs root and the machine's own package sources; says how long each part took.
-# shellcheck source-path=SCRIPTDIR source=../lib.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../lib.sh"
+# shellcheck source-path=SCRIPTDIR source=new_root.sh
+source "$(dirname "${BASH_SOURCE[0]}")/new_root.sh"
 
 build=$(cd "$1" && pwd)
-((EUID == 0)) || fail "a new root can only be made as root"
-place=$(mktemp --directory)
-trap 'rm --recursive --force --one-file-system "$place"' EXIT
 
 timed() { # WHAT COMMAND...
   local start=$EPOCHREALTIME
@@ -17,32 +14,15 @@ timed() { # WHAT COMMAND...
     'BEGIN { printf "   %s took %.1f s\n", what, to - from }'
 }
 
-# Shows what a command wrote only where it fails.
-quietly() {
-  local code=0
-  inside "$@" >"$place/log" 2>&1 || code=$?
-  ((code == 0)) || { tail --lines=20 "$place/log" && fail "$* exits $code"; }
-}
-
-inside() { chroot "$root" env --chdir=/tmp LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"; }
-
 step "Packages (cpack)"
 cpack --config "$build/CPackConfig.cmake" -B "$place/packages" >"$place/cpack.log" ||
   { cat "$place/cpack.log" && fail "cpack failed"; }
 ls -l "$place"/packages/*.deb
 
-# The sources this machine installs from, whatever they are.
-step "A new root"
-root=$place/root
-mmdebstrap --quiet --variant=apt --skip=cleanup/apt/lists bookworm "$root" \
-  /etc/apt/sources.list.d/debian.sources
-cp /etc/resolv.conf /etc/hosts "$root/etc"
-cp /etc/apt/apt.conf.d/* "$root/etc/apt/apt.conf.d"
+make_root
 mkdir --parents "$root/packages"
 cp "$place"/packages/*.deb "$root/packages"
 cp "$rgimp_root/tests/package/find_package/"* "$root/packages"
-mount --types proc proc "$root/proc"
-trap 'umount "$root/proc"; rm --recursive --force --one-file-system "$place"' EXIT
 
 timed "Installing rgimp" quietly apt-get install --yes --no-install-recommends \
   /packages/"$(basename "$place"/packages/rgimp_*.deb)"

@@ -1,7 +1,8 @@
-"""Opens the snapshots of a run in ParaView itself: pvbatch open_in_paraview.py DIRECTORY PICTURE
+"""Opens the snapshots of a run, and its grids if there are any, in ParaView itself:
+pvbatch open_in_paraview.py DIRECTORY PICTURE
 
 What engine/docs/data.md tells people to do: the series with its times, the arrays, colours, the cracks
-alone.
+alone, and slices and the rock of the grids.
 """
 
 import sys
@@ -10,13 +11,38 @@ from pathlib import Path
 from paraview import simple
 
 directory, picture = Path(sys.argv[1]), sys.argv[2]
-series = simple.OpenDataFile(str(directory / "snapshots/snapshots.hdf.series"))
-assert series is not None, "ParaView has no reader for the series"
-times = list(series.TimestepValues)
-snapshots = sorted((directory / "snapshots").glob("step_*.vtkhdf"))
-assert len(times) == len(snapshots) > 1, (times, snapshots)
-assert times == sorted(times) and times[0] == 0.0 < times[-1], times
 
+
+def opened(path):
+    """The files of a series and their times."""
+    series = simple.OpenDataFile(str(path))
+    assert series is not None, f"ParaView has no reader for {path}"
+    times = list(series.TimestepValues)
+    files = sorted(path.parent.glob("step_*.vtkhdf"))
+    assert len(times) == len(files) > 1, (times, files)
+    assert times == sorted(times) and times[0] == 0.0 < times[-1], times
+    return series, times
+
+
+def look_at_grids(path, snapshot_times):
+    grids, times = opened(path)
+    assert times == snapshot_times, (times, snapshot_times)
+    simple.UpdatePipeline(time=times[-1], proxy=grids)
+    arrays = {array.Name for array in grids.PointData}
+    assert arrays == {"mass", "velocity", "stress", "damage"}, arrays
+    nodes = grids.GetDataInformation().GetNumberOfPoints()
+    middle = simple.Slice(Input=grids, SliceType="Plane")
+    middle.SliceType.Normal = [0.0, 1.0, 0.0]
+    rock = simple.Threshold(Input=grids, Scalars=["POINTS", "mass"], LowerThreshold=1e-300,
+                            UpperThreshold=1e300)
+    for part in (middle, rock):
+        simple.UpdatePipeline(time=times[-1], proxy=part)
+        assert 0 < part.GetDataInformation().GetNumberOfPoints() < nodes
+    print(f"{len(times)} grids of {nodes} nodes, {rock.GetDataInformation().GetNumberOfPoints()} in "
+          f"the rock, stress {grids.PointData['stress'].GetRange(1)} Pa")
+
+
+series, times = opened(directory / "snapshots/snapshots.hdf.series")
 simple.UpdatePipeline(time=times[-1], proxy=series)
 arrays = {array.Name for array in series.PointData}
 assert {"stress", "max_principal_stress", "failed", "damage", "failure_step"} <= arrays, arrays
@@ -38,3 +64,5 @@ simple.ResetCamera(view)
 simple.SaveScreenshot(picture, view, ImageResolution=[400, 800])
 print(f"ParaView {simple.GetParaViewVersion()}: {len(times)} times to {times[-1]:.6g} s, "
       f"{particles} particles, {cracked} of them failed, arrays {sorted(arrays)}")
+if (directory / "grid").is_dir():
+    look_at_grids(directory / "grid/grid.hdf.series", times)
