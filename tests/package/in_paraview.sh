@@ -12,7 +12,8 @@ step "A run and its grids"
 "$rgimp" run "$rgimp_root/tests/support/breaking_block.toml" -o "$root/tmp/run" --quiet
 "$rgimp" grid "$root/tmp/run" >"$place/grids"
 cp "$rgimp_root/tests/package/open_in_paraview.py" "$root/tmp"
-# It waits until the display is there; three seconds, its default, were too few on a busy machine.
 step "Open them (pvbatch open_in_paraview.py)"
-inside xvfb-run --auto-servernum --wait=30 pvbatch open_in_paraview.py run crack.png
+# ParaView comes to the display, leaves and comes again: a server that resets between is not there.
+inside xvfb-run --auto-servernum --server-args="-screen 0 800x800x24 -noreset" \
+  pvbatch open_in_paraview.py run crack.png
 [[ -s $root/tmp/crack.png ]] || fail "no picture"
