@@ -29,15 +29,6 @@ py::array_t<double> array_of(const Vector& vector) {
 namespace {
 
 template <typename T, typename... Options>
-void add_vector(py::class_<T, Options...>& type, const char* name, Vector T::*member,
-                const char* unit) {
-  type.def_property(
-      name, [member](const T& owner) { return array_of(owner.*member); },
-      [member](T& owner, const std::vector<double>& value) { owner.*member = vector_of(value); },
-      unit);
-}
-
-template <typename T, typename... Options>
 void add_optional_vector(py::class_<T, Options...>& type, const char* name,
                          std::optional<Vector> T::*member, const char* unit) {
   type.def_property(

@@ -91,17 +91,11 @@ void bind_arguments(py::module_& module) {
   py::class_<InitialState> state(module, "InitialState",
                                  "Motion and stress of a particle before the first step.");
   add_constructor(state);
-  state
-      .def_property(
-          "velocity", [](const InitialState& owner) { return array_of(owner.velocity); },
-          [](InitialState& owner, const std::vector<double>& value) {
-            owner.velocity = vector_of(value);
-          },
-          "m/s; in 2D z is 0")
-      .def_property(
-          "stress", [](const InitialState& owner) { return Eigen::Matrix3d(owner.stress); },
-          [](InitialState& owner, const Eigen::Matrix3d& value) { owner.stress = value; },
-          "Pa, (3, 3), symmetric, tension > 0; in 2D xz, yz are 0");
+  add_vector(state, "velocity", &InitialState::velocity, "m/s; in 2D z is 0");
+  state.def_property(
+      "stress", [](const InitialState& owner) { return Eigen::Matrix3d(owner.stress); },
+      [](InitialState& owner, const Eigen::Matrix3d& value) { owner.stress = value; },
+      "Pa, (3, 3), symmetric, tension > 0; in 2D xz, yz are 0");
   py::class_<IntactParticle>(module, "IntactParticle",
                              "A particle that has not failed, as a criterion sees it.")
       .def_readonly("id", &IntactParticle::id, "of step 0")
