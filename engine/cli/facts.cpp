@@ -38,8 +38,8 @@ void print_facts(const Simulation& simulation, const std::filesystem::path& file
   print_line("steps", fmt::format("{}, {:.4g} s simulated", with_separators(facts.total_steps),
                                   static_cast<double>(facts.total_steps) * facts.dt));
   print_line("memory",
-             fmt::format("{}, at most {} (in a snapshot)", format_bytes(facts.memory_bytes),
-                         format_bytes(facts.peak_memory_bytes)));
+             fmt::format("{}, at most {} (in a snapshot, or to go on)",
+                         format_bytes(facts.memory_bytes), format_bytes(facts.peak_memory_bytes)));
   print_line("machine", fmt::format("{}, {} threads", facts.isa, facts.threads));
   std::fflush(stdout);  // for the physics may stop the steps
 }

@@ -116,7 +116,7 @@ CaseSize estimate_size(const Case& settings) {
 }
 
 double peak_bytes(double state_bytes, double particles) {
-  return kProcessBytes + state_bytes + kSnapshotBytes * particles;
+  return kProcessBytes + state_bytes + std::max(kSnapshotBytes * particles, state_bytes);
 }
 
 }  // namespace rgimp

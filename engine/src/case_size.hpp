@@ -16,7 +16,8 @@ struct CaseSize {
 
 CaseSize estimate_size(const Case& settings);
 
-/// Bytes that a run with this state takes at its peak, which is when it writes a snapshot.
+/// Bytes that a run with this state takes at its peak: when it writes a snapshot, or when it goes
+/// on from a checkpoint, whose state is read whole before it replaces any.
 double peak_bytes(double state_bytes, double particles);
 
 }  // namespace rgimp

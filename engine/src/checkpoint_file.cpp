@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
 #include <fstream>
@@ -29,12 +31,6 @@ std::string word(std::uint64_t value) {
   std::string bytes(kWord, '\0');
   std::memcpy(bytes.data(), &value, kWord);
   return bytes;
-}
-
-std::uint64_t word_at(std::string_view bytes, std::size_t place) {
-  std::uint64_t value = 0;
-  std::memcpy(&value, bytes.data() + place, kWord);
-  return value;
 }
 
 std::size_t size_of(std::string_view type) {
@@ -80,16 +76,16 @@ void CheckpointWriter::finish(const CheckpointLabel& label) {
   file_.commit();
 }
 
-CheckpointReader::CheckpointReader(std::string name, std::string bytes)
-    : name_(std::move(name)), bytes_(std::move(bytes)) {
-  const std::string_view body = checked_body();
-  const std::uint64_t step = word_at(bytes_, kMagic.size() + kWord);
+CheckpointReader::CheckpointReader(std::string name, std::unique_ptr<std::istream> file)
+    : name_(std::move(name)), file_(std::move(file)) {
+  const std::size_t size = checked_size();
+  const std::uint64_t step = word_at(kMagic.size() + kWord);
   if (step > static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max())) {
     refuse(fmt::format("step {} is none", step));
   }
   step_ = static_cast<std::int64_t>(step);
   try {
-    read_index(body);
+    read_index(size - kTail);
   } catch (const nlohmann::json::exception& error) {
     refuse(fmt::format("its index is wrong: {}", error.what()));
   }
@@ -99,33 +95,70 @@ void CheckpointReader::refuse(const std::string& reason) const {
   throw FileError(fmt::format("checkpoint '{}': {}", name_, reason));
 }
 
-/// Columns and index, after everything else is found right.
-std::string_view CheckpointReader::checked_body() const {
-  const std::string_view all = bytes_;
-  if (all.size() < kHead + kTail || !all.starts_with(kMagic)) {
-    refuse("not a checkpoint, or cut short");
+void CheckpointReader::read(std::size_t place, std::span<char> bytes) const {
+  file_->seekg(static_cast<std::streamoff>(place));
+  if (!file_->read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
+    refuse("cannot be read to its end");
   }
-  const std::uint64_t version = word_at(all, kMagic.size());
+}
+
+std::uint64_t CheckpointReader::word_at(std::size_t place) const {
+  std::array<char, kWord> bytes{};
+  read(place, bytes);
+  return std::bit_cast<std::uint64_t>(bytes);
+}
+
+std::uint64_t CheckpointReader::checksum_before(std::size_t end) const {
+  constexpr std::size_t kPiece = 1U << 20;
+  Checksum checksum;
+  std::string piece;
+  for (std::size_t place = 0; place < end; place += piece.size()) {
+    piece.resize(std::min(kPiece, end - place));
+    read(place, piece);
+    checksum.add(piece);
+  }
+  return checksum.value();
+}
+
+/// Bytes of the file, after everything but its index is found right.
+std::size_t CheckpointReader::checked_size() const {
+  file_->seekg(0, std::ios::end);
+  const std::streamoff end = file_->tellg();
+  const std::string reason = "not a checkpoint, or cut short";
+  if (end < static_cast<std::streamoff>(kHead + kTail)) {
+    refuse(reason);
+  }
+  std::string magic(kMagic.size(), '\0');
+  read(0, magic);
+  if (magic != kMagic) {
+    refuse(reason);
+  }
+  const std::uint64_t version = word_at(kMagic.size());
   if (version != kCheckpointVersion) {
     refuse(fmt::format("its format is version {}; this program reads version {}", version,
                        kCheckpointVersion));
   }
-  if (checksum_of(all.substr(0, all.size() - kWord)) != word_at(all, all.size() - kWord)) {
+  const auto size = static_cast<std::size_t>(end);
+  if (checksum_before(size - kWord) != word_at(size - kWord)) {
     refuse("damaged: its checksum is wrong");
   }
-  return all.substr(kHead, all.size() - kHead - kTail);
+  return size;
 }
 
-void CheckpointReader::read_index(std::string_view body) {
-  const std::uint64_t length = word_at(bytes_, bytes_.size() - kTail);
-  if (length > body.size()) {
+/// Of the file up to `end`: the index, and the columns before it.
+void CheckpointReader::read_index(std::size_t end) {
+  const std::uint64_t length = word_at(end);
+  if (length > end - kHead) {
     refuse("its index is longer than the file");
   }
-  std::string_view left = body.substr(0, body.size() - length);
-  const Json index = Json::parse(body.substr(left.size()));
+  std::string text(length, '\0');
+  read(end - length, text);
+  const Json index = Json::parse(text);
   label_.case_text = index.at("case").get<std::string>();
   label_.note = index.at("note").get<std::string>();
   label_.own_functions = index.value("own functions", label_.own_functions);
+  std::size_t place = kHead;
+  std::size_t left = end - length - kHead;
   for (const Json& entry : index.at("columns")) {
     const auto name = entry.at("name").get<std::string>();
     const auto type = entry.at("type").get<std::string>();
@@ -134,36 +167,30 @@ void CheckpointReader::read_index(std::string_view body) {
       refuse(fmt::format("the length of column '{}' is none", name));
     }
     const auto count = length_of_column.get<std::uint64_t>();
-    if (count > left.size() / size_of(type)) {
+    if (count > left / size_of(type)) {
       refuse(fmt::format("column '{}' is longer than the file", name));
     }
-    const std::size_t bytes = count * size_of(type);
-    if (!columns_.emplace(name, Column{type, left.substr(0, bytes)}).second) {
+    if (!columns_.emplace(name, Column{type, place, count}).second) {
       refuse(fmt::format("column '{}' is there twice", name));
     }
-    left.remove_prefix(bytes);
+    place += count * size_of(type);
+    left -= count * size_of(type);
   }
-  if (!left.empty()) {
-    refuse(fmt::format("{} bytes belong to no column", left.size()));
+  if (left != 0) {
+    refuse(fmt::format("{} bytes belong to no column", left));
   }
 }
 
-std::string_view CheckpointReader::find(std::string_view name, std::string_view type,
-                                        std::size_t size) const {
+const CheckpointReader::Column& CheckpointReader::find(std::string_view name,
+                                                       std::string_view type) const {
   const auto column = columns_.find(name);
   if (column == columns_.end()) {
     refuse(fmt::format("has no column '{}'", name));
   }
-  if (column->second.type != type || column->second.bytes.size() % size != 0) {
+  if (column->second.type != type) {
     refuse(fmt::format("column '{}' holds {}; expected {}", name, column->second.type, type));
   }
-  return column->second.bytes;
-}
-
-void CheckpointReader::copy(std::string_view bytes, void* target) {
-  if (!bytes.empty()) {
-    std::memcpy(target, bytes.data(), bytes.size());
-  }
+  return column->second;
 }
 
 std::optional<std::int64_t> claimed_step(const std::filesystem::path& path) {
@@ -177,7 +204,9 @@ std::optional<std::int64_t> claimed_step(const std::filesystem::path& path) {
       !head.starts_with(kMagic)) {
     return std::nullopt;
   }
-  return static_cast<std::int64_t>(word_at(head, kMagic.size() + kWord));
+  std::int64_t step = 0;
+  std::memcpy(&step, head.data() + kMagic.size() + kWord, kWord);
+  return step;
 }
 
 }  // namespace rgimp

@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <istream>
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -90,12 +92,14 @@ class CheckpointWriter {
   std::unique_ptr<Index> index_;
 };
 
-/// A checkpoint in memory. Nothing is believed before the checksum is right, and nothing is read
-/// from outside the bytes after it. Every call throws FileError naming the file.
+/// A checkpoint, of which each column is read when it is asked for. Nothing is believed before the
+/// checksum is right, and nothing is read from outside a column after it. Every call throws
+/// FileError naming the file. Holding the whole file, resuming 16.0 M particles took 7.3 GiB, of
+/// which 2.5 GB were the file.
 class CheckpointReader {
  public:
-  /// `name` is for messages.
-  CheckpointReader(std::string name, std::string bytes);
+  /// Of all of `file`; `name` is for messages.
+  CheckpointReader(std::string name, std::unique_ptr<std::istream> file);
   CheckpointReader(const CheckpointReader&) = delete;
   CheckpointReader& operator=(const CheckpointReader&) = delete;
 
@@ -104,18 +108,18 @@ class CheckpointReader {
 
   template <typename Number, typename Allocator>
   void operator()(std::string_view name, std::vector<Number, Allocator>& column) const {
-    const std::string_view bytes = find(name, number_type<Number>(), sizeof(Number));
-    column.resize(bytes.size() / sizeof(Number));
-    copy(bytes, column.data());
+    const Column& found = find(name, number_type<Number>());
+    column.resize(found.length);
+    read(found.place, {reinterpret_cast<char*>(column.data()), found.length * sizeof(Number)});
   }
   template <typename Number>
   requires std::is_arithmetic_v<Number>
   void operator()(std::string_view name, Number& value) const {
-    const std::string_view bytes = find(name, number_type<Number>(), sizeof(Number));
-    if (bytes.size() != sizeof(Number)) {
+    const Column& found = find(name, number_type<Number>());
+    if (found.length != 1) {
       refuse("'" + std::string(name) + "' is not a single number");
     }
-    copy(bytes, &value);
+    read(found.place, {reinterpret_cast<char*>(&value), sizeof(Number)});
   }
 
   [[noreturn]] void refuse(const std::string& reason) const;
@@ -123,16 +127,19 @@ class CheckpointReader {
  private:
   struct Column {
     std::string type;
-    std::string_view bytes;
+    std::size_t place;   // of its first byte in the file
+    std::size_t length;  // numbers
   };
 
-  std::string_view checked_body() const;
-  void read_index(std::string_view body);
-  std::string_view find(std::string_view name, std::string_view type, std::size_t size) const;
-  static void copy(std::string_view bytes, void* target);
+  void read(std::size_t place, std::span<char> bytes) const;
+  std::uint64_t word_at(std::size_t place) const;
+  std::uint64_t checksum_before(std::size_t end) const;
+  std::size_t checked_size() const;
+  void read_index(std::size_t end);
+  const Column& find(std::string_view name, std::string_view type) const;
 
   std::string name_;
-  std::string bytes_;
+  std::unique_ptr<std::istream> file_;
   std::int64_t step_ = 0;
   CheckpointLabel label_;
   std::map<std::string, Column, std::less<>> columns_;

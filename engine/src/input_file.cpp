@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <cstdint>
-#include <fstream>
 #include <system_error>
 
 #include "rgimp/error.hpp"
@@ -31,17 +31,25 @@ void require_regular_file(const fs::path& path) {
   }
 }
 
-std::string read_bytes(const fs::path& path) {
+std::ifstream open_file(const fs::path& path) {
   require_regular_file(path);
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    fail(path, std::generic_category().message(errno));
+  }
+  return file;
+}
+
+std::string read_bytes(const fs::path& path) {
+  std::ifstream file = open_file(path);
   std::error_code error;
   const std::uintmax_t size = fs::file_size(path, error);
   if (error) {
     fail(path, error.message());
   }
   std::string bytes(size, '\0');
-  std::ifstream file(path, std::ios::binary);
   if (!file.read(bytes.data(), static_cast<std::streamsize>(size))) {
-    fail(path, "the file ends early, or may not be read");
+    fail(path, "the file ends early");
   }
   return bytes;
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
+#include <memory>
 #include <utility>
 #include <variant>
 
@@ -136,7 +138,8 @@ class Simulation::Implementation {
   }
 
   std::string restore(const std::filesystem::path& path) {
-    // A file far larger than any state of this case must not be read to find out.
+    // A file far larger than any state of this case must not be read to find out: its index may be
+    // as large.
     constexpr std::uintmax_t kLabel = 16U << 20;
     std::error_code ignored;  // reading says more
     const std::uintmax_t size = std::filesystem::file_size(path, ignored);
@@ -145,7 +148,8 @@ class Simulation::Implementation {
       throw FileError(
           fmt::format("checkpoint '{}': {} bytes are too many for this case", path.string(), size));
     }
-    const CheckpointReader checkpoint(path.string(), read_bytes(path));
+    const CheckpointReader checkpoint(path.string(),
+                                      std::make_unique<std::ifstream>(open_file(path)));
     require_same_case(settings_, checkpoint.label().case_text, path.string());
     with_solver([&](auto& solver) {
       require_own_functions(solver.own_functions(), checkpoint.label().own_functions,

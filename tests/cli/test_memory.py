@@ -40,15 +40,29 @@ class MemoryTest(CommandTest):
         self.assertEqual(process.returncode, code, text)
         return usage.ru_maxrss * 1024.0, text
 
+    def share_of_announced(self, *arguments):
+        """The peak over what the command said it would be, and what it printed."""
+        peak, text = self.peak_of("run", self.case, *arguments)
+        announced, unit = re.search(r"(?m)^memory .* at most ([0-9.]+) (\w+)", text).groups()
+        return peak / (float(announced) * UNITS[unit]), text
+
+    # Half of it is columns of whole pages; freed blocks below 4 MiB are kept by the heap.
+
     def test_a_run_takes_at_its_peak_what_it_said(self):
         for text in (CUBE, SQUARE):
             self.case.write_text(text, encoding="utf-8")
-            peak, text = self.peak_of("run", self.case, "--force")
-            announced, unit = re.search(r"(?m)^memory .* at most ([0-9.]+) (\w+)", text).groups()
-            ratio = peak / (float(announced) * UNITS[unit])
-            # Half of it is columns of whole pages; freed blocks below 4 MiB are kept by the heap.
-            self.assertGreater(ratio, 0.85)
-            self.assertLess(ratio, 1.15)
+            share, _ = self.share_of_announced("--force")
+            self.assertGreater(share, 0.85)
+            self.assertLess(share, 1.15)
+
+    def test_a_run_that_goes_on_takes_no_more_than_it_said(self):
+        for text in (CUBE, SQUARE):
+            self.case.write_text(text, encoding="utf-8")
+            every_step = ("--set", "output.checkpoint_every=1")
+            self.share_of_announced("--force", "--steps", 2, *every_step)
+            share, text = self.share_of_announced("--resume", "--steps", 3, *every_step)
+            self.assertIn("going on from step 1", text)
+            self.assertLess(share, 1.15)
 
     def test_a_case_beyond_the_memory_is_refused_before_it_takes_any(self):
         self.case.write_text(CUBE, encoding="utf-8")

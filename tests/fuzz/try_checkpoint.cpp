@@ -2,6 +2,8 @@
 
 #include <cstring>
 #include <filesystem>
+#include <memory>
+#include <sstream>
 #include <string>
 
 #include "checkpoint_file.hpp"
@@ -43,7 +45,8 @@ std::string with_right_checksum(std::string_view bytes) {
 Outcome try_checkpoint(std::string_view bytes) {
   tests::Model model(tiny_case());
   try {
-    model.solver.restore(CheckpointReader("fuzz", with_right_checksum(bytes)));
+    model.solver.restore(
+        CheckpointReader("fuzz", std::make_unique<std::istringstream>(with_right_checksum(bytes))));
   } catch (const FileError&) {
     return Outcome::refused;
   }

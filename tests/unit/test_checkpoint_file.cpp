@@ -1,5 +1,8 @@
 #include <catch2/catch.hpp>
 #include <cstring>
+#include <memory>
+#include <sstream>
+#include <utility>
 
 #include "checkpoint_file.hpp"
 #include "input_file.hpp"
@@ -24,6 +27,10 @@ std::string small_checkpoint() {
   return read_bytes(directory / "checkpoint");
 }
 
+CheckpointReader reader_of(std::string bytes) {
+  return {"file", std::make_unique<std::istringstream>(std::move(bytes))};
+}
+
 /// The same with another index, and a checksum that fits.
 std::string with_index(const std::string& from, const std::string& to) {
   std::string bytes = small_checkpoint();
@@ -42,7 +49,7 @@ std::string with_index(const std::string& from, const std::string& to) {
 
 std::string refusal(const std::string& bytes) {
   try {
-    const CheckpointReader reader("file", bytes);
+    const CheckpointReader reader = reader_of(bytes);
     std::vector<std::uint32_t> ids;
     reader("ids", ids);
   } catch (const FileError& error) {
@@ -54,7 +61,7 @@ std::string refusal(const std::string& bytes) {
 }  // namespace
 
 TEST_CASE("a checkpoint gives back every bit, its step and its texts") {
-  const CheckpointReader reader("file", small_checkpoint());
+  const CheckpointReader reader = reader_of(small_checkpoint());
   CHECK(reader.step() == 42);
   CHECK(reader.label().case_text == "the case");
   CHECK(reader.label().note == "the note");
@@ -115,7 +122,7 @@ TEST_CASE("a checkpoint whose index asks for more than there is, is refused") {
 }
 
 TEST_CASE("a column is read as what it is") {
-  const CheckpointReader reader("file", small_checkpoint());
+  const CheckpointReader reader = reader_of(small_checkpoint());
   std::vector<double> ids;
   CHECK_THROWS_WITH(reader("ids", ids), Catch::Contains("holds uint32; expected float64"));
   double real = 0.0;

@@ -1,7 +1,8 @@
 #include <catch2/catch.hpp>
+#include <fstream>
 #include <functional>
+#include <memory>
 
-#include "input_file.hpp"
 #include "models.hpp"
 #include "rgimp/error.hpp"
 #include "temporary_directory.hpp"
@@ -22,7 +23,7 @@ std::string refusal_of(const Change& change) {
   model.solver.save(writer);
   writer.finish({"", ""});
   Model other(cracking_block());
-  const CheckpointReader reader("changed", read_bytes(directory / "changed"));
+  const CheckpointReader reader("changed", std::make_unique<std::ifstream>(directory / "changed"));
   try {
     other.solver.restore(reader);
   } catch (const FileError& error) {

@@ -92,7 +92,7 @@ struct Facts {
   /// Of the case.
   std::int64_t total_steps = 0;
   std::size_t memory_bytes = 0;       ///< particles and grid
-  std::size_t peak_memory_bytes = 0;  ///< of a run's process, while it writes a snapshot
+  std::size_t peak_memory_bytes = 0;  ///< of a run's process: it writes a snapshot, or resumes
   std::string isa;                    ///< reference, baseline, avx2 or avx512
   /// That steps use.
   int threads = 0;
