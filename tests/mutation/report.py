@@ -1,10 +1,12 @@
-"""What became of the mutants: kept as JSON between runs, written as Markdown."""
+"""What became of the mutants: kept as JSON, written as Markdown. Both are kept with the sources, so
+that a run of some mutants elsewhere does not forget the others."""
 
 import hashlib
 import json
 from pathlib import Path
 
-PAGE = Path(__file__).resolve().parent / "RESULTS.md"
+FOLDER = Path(__file__).resolve().parent
+PAGE = FOLDER / "RESULTS.md"
 HEAD = """# Mutants
 
 A mutant is one deliberate error in the sources, of a kind that people make: a flipped sign, a node
@@ -23,7 +25,7 @@ def digest(mutant):
 class Outcomes:
     """By mutant: `killed`, `survived` or `invalid` (it does not compile), and by what."""
 
-    def __init__(self, path):
+    def __init__(self, path=FOLDER / "outcomes.json"):
         self.path = path
         self.by_name = json.loads(path.read_text()) if path.is_file() else {}
 
@@ -31,11 +33,10 @@ class Outcomes:
         outcome = self.by_name.get(mutant.name)
         return outcome if outcome and outcome["digest"] == digest(mutant) else None
 
-    def add(self, mutant, state, by, seconds):
-        self.by_name[mutant.name] = {"digest": digest(mutant), "state": state, "by": by,
-                                     "seconds": round(seconds, 1)}
-        self.path.parent.mkdir(parents=True, exist_ok=True)
-        self.path.write_text(json.dumps(self.by_name, indent=1) + "\n")
+    def add(self, mutant, state, by):
+        self.by_name[mutant.name] = {"digest": digest(mutant), "state": state, "by": by}
+        self.path.write_text(json.dumps(self.by_name, indent=1, sort_keys=True) + "\n",
+                             encoding="utf-8")
 
 
 def counts(outcomes):

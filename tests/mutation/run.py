@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Do the tests notice errors? Builds every mutant of mutants/*.toml in a copy of the sources, runs
-the tests on it, and writes RESULTS.md. All of it takes about an hour on a core."""
+the tests on it, and writes outcomes.json and RESULTS.md. All of it takes about an hour on a core."""
 
 import argparse
 import sys
@@ -53,7 +53,7 @@ def run(mutants, place, kept):
         start = time.monotonic()
         state, by = try_mutant(place, mutant)
         seconds = time.monotonic() - start
-        kept.add(mutant, state, by, seconds)
+        kept.add(mutant, state, by)
         print(f"[{number}/{len(mutants)}] {mutant.name}: {state} {by} ({seconds:.1f} s)",
               flush=True)
     place.patch(())
@@ -67,7 +67,7 @@ def main():
         sys.exit("error: the table does not fit the sources; where a line has changed, change the "
                  f"text in tests/mutation/mutants:\n{error}")
     mutants = chosen(every, arguments.names)
-    kept = report.Outcomes(arguments.folder / "outcomes.json")
+    kept = report.Outcomes()
     if arguments.missing:
         mutants = [m for m in mutants if (kept.of(m) or {}).get("state") != "killed"]
     if arguments.list:
