@@ -4,14 +4,14 @@
 
 namespace rgimp::verification {
 
-/// Axis-aligned displacement in the unit square (Wallstedt & Guilkey, J. Comput. Phys. 227 (2008)
-/// 9628, with its E, nu, rho and one half-wave a side as in Uintah's MMS):
-/// u_x = A sin(pi X) sin(pi c t), u_y = -A sin(pi Y) sin(pi c t), c = sqrt(E / rho). F is diagonal
-/// at all times and nothing spins, so our law integrates to sigma = lambda ln J I + 2 mu ln F
-/// where the paper's neo-Hookean law gives lambda ln J / J I + mu / J (F F^T - I).
+/// Axis-aligned displacement in the unit square or cube (Wallstedt & Guilkey, J. Comput. Phys. 227
+/// (2008) 9628, with its E, nu, rho and one half-wave a side as in Uintah's MMS): u_x = A sin(pi X)
+/// sin(pi c t), u_y = -A sin(pi Y) sin(pi c t), c = sqrt(E / rho), and in the cube u_z as u_x. F is
+/// diagonal at all times and nothing spins, so our law integrates to sigma = lambda ln J I + 2 mu
+/// ln F where the paper's neo-Hookean law gives lambda ln J / J I + mu / J (F F^T - I).
 class AxisAligned final : public ManufacturedSolution {
  public:
-  explicit AxisAligned(double amplitude);
+  AxisAligned(double amplitude, int dimension);
 
   Case settings(const Resolution& resolution) const override;
   Vector displacement(const Vector& point, double t) const override;
@@ -23,11 +23,13 @@ class AxisAligned final : public ManufacturedSolution {
   double duration() const override;
 
  private:
-  /// A sin(pi c t) of an axis, m: phases 0 along x, pi along y.
-  std::array<double, 2> swing(double t) const;
-  std::array<double, 2> stretch(const Vector& point, double t) const;
+  /// A sin(pi c t) along each axis, m: phase 0, along y pi.
+  Vector swing(double t) const;
+  /// The diagonal of F.
+  Vector stretch(const Vector& point, double t) const;
 
   double amplitude_;
+  Vector sign_;  // of each axis; 0 for z in the plane
   Material material_;
   double wave_speed_;
 };

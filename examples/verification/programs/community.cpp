@@ -18,6 +18,7 @@ namespace {
 struct Request {
   Resolution resolution{.cells = 16};
   double amplitude = 0.05;
+  int dimension = 2;
   std::int64_t steps = 4000;
 };
 
@@ -59,7 +60,8 @@ void add_options(CLI::App& command, Request& request, const Integrators& integra
 }
 
 void add_manufactured(CLI::App& app, Request& request) {
-  CLI::App* axis_aligned = app.add_subcommand("axis-aligned", "a square that moves along its axes");
+  CLI::App* axis_aligned =
+      app.add_subcommand("axis-aligned", "a square or cube that moves along its axes");
   CLI::App* vortex = app.add_subcommand("vortex", "a ring that is twisted and let go");
   CLI::App* force = app.add_subcommand("vortex-force", "its body force against the published one");
   for (CLI::App* command : {axis_aligned, vortex, force}) {
@@ -68,7 +70,9 @@ void add_manufactured(CLI::App& app, Request& request) {
     command->add_option("--amplitude", request.amplitude, "A, m (axis-aligned) or rad")
         ->check(CLI::PositiveNumber);
   }
-  axis_aligned->callback([&] { print(AxisAligned(request.amplitude), request); });
+  axis_aligned->add_option("--dimension", request.dimension)->check(CLI::Range(2, 3));
+  axis_aligned->callback(
+      [&] { print(AxisAligned(request.amplitude, request.dimension), request); });
   vortex->callback([&] { print(Vortex(request.amplitude), request); });
   force->callback([&] {
     const Vortex solution(request.amplitude);

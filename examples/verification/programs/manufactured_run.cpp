@@ -16,6 +16,7 @@ namespace reference = kernels::reference;
 /// zero, the weight here may be 1e-33.
 constexpr double kLeastMass = 1e-12;
 
+template <int Dim>
 class ManufacturedRun {
  public:
   ManufacturedRun(const ManufacturedSolution& solution, const Resolution& resolution)
@@ -23,15 +24,18 @@ class ManufacturedRun {
         settings_(solution.settings(resolution)),
         workers_(1),
         solver_(settings_, kernels::best_isa(), workers_),
-        point_(solver_.particles().count) {
-    Particles<2>& p = solver_.particles();
+        point_(solver_.particles().count, Vector::Zero()) {
+    Particles<Dim>& p = solver_.particles();
     for (std::size_t i = 0; i < p.lanes(); ++i) {
       if (!p.is_padding(i)) {
         Vector& point = point_[p.id[i]];
-        point = Vector(p.position[0][i], p.position[1][i], 0.0);
+        for (int a = 0; a < Dim; ++a) {
+          point[a] = p.position[a][i];
+        }
         const Vector velocity = solution.velocity(point, -0.5 * solver_.dt());
-        p.velocity[0][i] = velocity.x();
-        p.velocity[1][i] = velocity.y();
+        for (int a = 0; a < Dim; ++a) {
+          p.velocity[a][i] = velocity[a];
+        }
       }
     }
     solver_.rebin();
@@ -44,7 +48,7 @@ class ManufacturedRun {
   }
 
   void note_errors(ManufacturedErrors& errors) {
-    const Particles<2>& p = solver_.particles();
+    const Particles<Dim>& p = solver_.particles();
     double displacement = 0.0;
     double stress = 0.0;
     for (std::size_t i = 0; i < p.lanes(); ++i) {
@@ -53,10 +57,11 @@ class ManufacturedRun {
       }
       const Vector& point = point_[p.id[i]];
       const Vector expected = point + solution_.displacement(point, solver_.time());
-      displacement += std::pow(p.position[0][i] - expected.x(), 2) +
-                      std::pow(p.position[1][i] - expected.y(), 2);
+      for (int a = 0; a < Dim; ++a) {
+        displacement += std::pow(p.position[a][i] - expected[a], 2);
+      }
       const Stress s = solution_.stress(point, solver_.time());
-      for (std::size_t c = 0; c < s.size(); ++c) {
+      for (std::size_t c = 0; c < p.stress.size(); ++c) {
         stress += std::pow(p.stress[c][i] - s[c], 2);
       }
     }
@@ -66,7 +71,7 @@ class ManufacturedRun {
     errors.stress = std::max(errors.stress, std::sqrt(stress / count) / solution_.largest_stress());
   }
 
-  const Solver<2>& solver() const { return solver_; }
+  const Solver<Dim>& solver() const { return solver_; }
 
  private:
   bool is_held(const Vector& node, int axis) const {
@@ -79,27 +84,28 @@ class ManufacturedRun {
   /// a_i += sum m_p b_p S_ip / m_i, and v_i likewise: what a body force per particle adds to the
   /// grid that the next step starts from. Platens hold what they prescribe.
   void push() {
-    const kernels::GridView<2>& grid = solver_.now();
+    const kernels::GridView<Dim>& grid = solver_.now();
     const std::ptrdiff_t nodes = solver_.grid().rows() * solver_.grid().row_stride();
     for (std::vector<double>& force : force_) {
       force.assign(static_cast<std::size_t>(nodes), 0.0);
     }
-    const reference::Shape<2> shape(grid);
-    const kernels::ParticleView<2> p = solver_.particles().view();
+    const reference::Shape<Dim> shape(grid);
+    const kernels::ParticleView<Dim> p = solver_.particles().view();
     const Column<std::uint32_t>& id = solver_.particles().id;
-    const auto scatter = [&](std::size_t i, const reference::BinNode<2>& bin, std::size_t) {
+    const auto scatter = [&](std::size_t i, const reference::BinNode<Dim>& bin, std::size_t) {
       const Vector push = p.mass[i] * solution_.body_force(point_[id[i]], solver_.time());
       reference::for_each_node(reference::stencil_of(p, i, bin, shape), shape,
-                               [&](std::ptrdiff_t node, double weight, const double(&)[2]) {
-                                 force_[0][node] += weight * push.x();
-                                 force_[1][node] += weight * push.y();
+                               [&](std::ptrdiff_t node, double weight, const double(&)[Dim]) {
+                                 for (int a = 0; a < Dim; ++a) {
+                                   force_[a][node] += weight * push[a];
+                                 }
                                });
     };
     reference::for_each_particle(p, grid, {0, solver_.grid().rows()}, scatter);
     const double least_mass = kLeastMass * *std::max_element(p.mass, p.mass + id.size());
     for (std::ptrdiff_t node = 0; node < nodes; ++node) {
       const Vector position = solver_.grid().position(node);
-      for (int a = 0; a < 2; ++a) {
+      for (int a = 0; a < Dim; ++a) {
         if (grid.mass[node] > least_mass && !is_held(position, a)) {
           const double acceleration = force_[a][node] / grid.mass[node];
           grid.force[a][node] += acceleration;
@@ -112,16 +118,14 @@ class ManufacturedRun {
   const ManufacturedSolution& solution_;
   Case settings_;
   Workers workers_;
-  Solver<2> solver_;
+  Solver<Dim> solver_;
   std::vector<Vector> point_;  // by id, where it lies without displacement
-  std::array<std::vector<double>, 2> force_;
+  std::array<std::vector<double>, Dim> force_;
 };
 
-}  // namespace
-
-ManufacturedErrors run_manufactured(const ManufacturedSolution& solution,
-                                    const Resolution& resolution) {
-  ManufacturedRun run(solution, resolution);
+template <int Dim>
+ManufacturedErrors run_in(const ManufacturedSolution& solution, const Resolution& resolution) {
+  ManufacturedRun<Dim> run(solution, resolution);
   ManufacturedErrors errors;
   while (run.solver().time() < solution.duration()) {
     run.step();
@@ -131,6 +135,14 @@ ManufacturedErrors run_manufactured(const ManufacturedSolution& solution,
   errors.particles =
       static_cast<std::int64_t>(seed_particles(solution.settings(resolution)).size());
   return errors;
+}
+
+}  // namespace
+
+ManufacturedErrors run_manufactured(const ManufacturedSolution& solution,
+                                    const Resolution& resolution) {
+  return solution.settings(resolution).dimension == 3 ? run_in<3>(solution, resolution)
+                                                      : run_in<2>(solution, resolution);
 }
 
 }  // namespace rgimp::verification

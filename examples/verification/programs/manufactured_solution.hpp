@@ -6,8 +6,8 @@
 
 namespace rgimp::verification {
 
-/// xx, yy, zz, xy.
-using Stress = std::array<double, 4>;
+/// xx, yy, zz, xy, yz, xz; the last two are 0 in the plane.
+using Stress = std::array<double, 6>;
 
 /// A motion that is given and the body force that makes it a solution of the hypoelastic law with
 /// the Jaumann rate. Points are material ones, where they lie without displacement, m; t in s.
