@@ -75,8 +75,10 @@ class Scatter {
   void sum_row(const GroupPlace<2>& place, Slots slots, int row, int first_field) {
     Sums<kFields<2, What>> sums[kParts];
     for (int part = 0; part < kParts; ++part) {
+      Sums<kFields<2, What>> sum;  // by itself: of an array it would not stay in registers
       for_each_term(place, slots, part,
-                    [&](const Terms<2>& terms) { add_slot<What>(terms, row, sums[part]); });
+                    [&](const Terms<2>& terms) { add_slot<What>(terms, row, sum); });
+      sums[part] = sum;
     }
 #pragma GCC unroll 4
     for (int f = 0; f < kFields<2, What>; ++f) {
@@ -106,8 +108,10 @@ class Scatter {
     const auto sum_row = [&]<int Row>() {
       Sums<kFieldCount> sums[kParts];
       for (int part = 0; part < kParts; ++part) {
+        Sums<kFieldCount> sum;
         for_each_term(place, slots, part,
-                      [&](const Terms<3>& terms) { add_slot<What, Row>(terms, sums[part]); });
+                      [&](const Terms<3>& terms) { add_slot<What, Row>(terms, sum); });
+        sums[part] = sum;
       }
 #pragma GCC unroll 4
       for (int f = 0; f < kFieldCount; ++f) {
