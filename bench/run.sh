@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Measures this machine: bench/run.sh [--quick] | bench/run.sh --keep NAME
 # Installs what is missing, builds, runs the benchmarks and writes out/bench/results.md, with
-# results.json and size.png beside it; some 20 minutes, --quick (no large sizes, fewer repetitions)
+# results.json and size.png beside it; some 30 minutes, --quick (no large sizes, fewer repetitions)
 # some two. Leave the machine alone meanwhile.
 # --keep copies the last results to bench/results/NAME.{md,json,png}; it measures nothing.
 source "$(dirname "${BASH_SOURCE[0]}")/../tests/lib.sh"
