@@ -1,3 +1,4 @@
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -262,6 +263,12 @@ TEST_CASE("points that fail by an own criterion carry no deviator and no tension
   simulation.set_criterion([](const IntactParticle& particle) {
     return particle.id % 3 == 0 ? FailureMode::tension : FailureMode::intact;
   });
+  simulation.step();
+  const auto first = simulation.first_failure();  // of many at once: that of the lowest id
+  REQUIRE(first);
+  CHECK(first->step == 1);
+  const std::array<double, 3> place = simulation.particles().position.front();
+  CHECK((first->position == Vector(place[0], place[1], place[2])));
   simulation.run_until(200);
   const ParticleTable table = simulation.particles();
   for (std::size_t row = 0; row < table.size(); ++row) {
