@@ -184,6 +184,20 @@ TEST_CASE("an own acceleration gives the same bits on any number of threads") {
   CHECK(work > 0.0);
 }
 
+TEST_CASE("an own acceleration set between two steps acts in the second") {
+  Case settings = block_in(2);
+  settings.time.integrator = GENERATE(Integrator::musl, Integrator::usl, Integrator::usf);
+  Simulation simulation(settings);
+  Simulation expected(settings);
+  simulation.run_until(5);
+  expected.run_until(6);
+  simulation.set_acceleration([](const Vector&, double) { return Vector(0.0, -1e4, 0.0); });
+  simulation.step();
+  const double gained =
+      simulation.particles().velocity.front()[1] - expected.particles().velocity.front()[1];
+  CHECK(gained == Approx(-1e4 * simulation.facts().dt).epsilon(1e-9));
+}
+
 TEST_CASE("an own acceleration that ends leaves the steps as without") {
   Simulation simulation(block_in(2));
   Simulation expected(block_in(2));
