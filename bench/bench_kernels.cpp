@@ -104,8 +104,8 @@ std::string compare(const Kernel& kernel, Isa isa) {
 std::string compare(const NamedPart& named, Isa isa) {
   KernelState state = initial_state();
   state.load_to_failure();
-  Column<double> got(state.slots() * kernels::kGroupWidth * named.columns);
-  Column<double> expected(got.size());
+  Column<double> got(state.slots() * kernels::kGroupWidth * named.columns, 0.0);
+  Column<double> expected(got.size(), 0.0);
   const std::size_t all = ~std::size_t{0};
   (parts_for(isa).*named.part)(state.part_input(), got.data(), all);
   (kReferenceParts.*named.part)(state.part_input(), expected.data(), all);
@@ -160,7 +160,7 @@ void time_part(benchmark::State& state, const NamedPart& named, Isa isa) {
   }
   KernelState on = initial_state();
   const PartInput input = on.part_input();
-  Column<double> out(kSlotsKept * kernels::kGroupWidth * named.columns);
+  Column<double> out(kSlotsKept * kernels::kGroupWidth * named.columns, 0.0);
   const Part part = parts_for(isa).*named.part;
   for ([[maybe_unused]] auto _ : state) {
     part(input, out.data(), kSlotsKept - 1);

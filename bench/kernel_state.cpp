@@ -143,7 +143,7 @@ void KernelState::hold_still() {
 
 void KernelState::load_to_failure() {
   const PartInput input = part_input();
-  Column<double> fails(particles.lanes());
+  Column<double> fails(particles.lanes(), 0.0);
   while (std::count(fails.begin(), fails.end(), 1.0) <
          static_cast<std::ptrdiff_t>(particles.count / 4)) {
     for (auto& component : particles.stress) {

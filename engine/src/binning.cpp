@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <utility>
+
+#include "lane_chunks.hpp"
 
 namespace rgimp {
 namespace {
@@ -10,7 +14,7 @@ namespace {
 using kernels::kGroupWidth;
 
 /// Where a lane of the new layout takes its particle from.
-using Source = std::vector<std::uint32_t>;
+using Source = Column<std::uint32_t>;
 constexpr std::uint32_t kNoSource = std::numeric_limits<std::uint32_t>::max();
 
 /// The particle's nearest node, whose neighbours on every side are in the grid too; none for a
@@ -31,6 +35,111 @@ std::optional<std::uint32_t> bin_of(const Particles<Dim>& particles, const Grid<
   }
   return static_cast<std::uint32_t>(bin);
 }
+
+/// Bins from `first` to before `last`.
+struct BinRange {
+  std::uint32_t first;
+  std::uint32_t last;
+};
+
+/// Bins that one task sorts into: whole groups. How many there are changes nothing but how evenly
+/// tasks are spread.
+class Stripes {
+ public:
+  Stripes(std::size_t groups, const Workers& workers)
+      : groups_(groups), count_(std::min(groups, kPerThread * workers.threads())) {}
+
+  std::size_t groups() const { return groups_; }
+
+  /// visit(bins) for all stripes, on all threads.
+  template <typename Visit>
+  void for_each(Workers& workers, Visit visit) const {
+    workers.for_each(static_cast<std::ptrdiff_t>(count_), [&](std::ptrdiff_t index) {
+      visit(BinRange{first_bin(static_cast<std::size_t>(index)),
+                     first_bin(static_cast<std::size_t>(index) + 1)});
+    });
+  }
+
+ private:
+  static constexpr std::size_t kPerThread = 4;
+
+  std::uint32_t first_bin(std::size_t stripe) const {
+    return static_cast<std::uint32_t>(groups_ * stripe / count_ * kGroupWidth);
+  }
+
+  std::size_t groups_;
+  std::size_t count_;
+};
+
+/// The bins that the particles of all lanes belong in.
+class BinsOfLanes {
+ public:
+  template <int Dim>
+  BinsOfLanes(const Particles<Dim>& particles, const Grid<Dim>& grid, int layer, Workers& workers)
+      : bin_(particles.lanes()), chunks_(chunks_of(particles.lanes())) {
+    for_each_chunk(bin_.size(), workers, [&](std::size_t chunk, LaneRange lanes) {
+      chunks_[chunk] = find_bins(particles, grid, layer, lanes);
+    });
+  }
+
+  /// Lanes of the particles that belong in none.
+  std::vector<std::size_t> outside() const {
+    std::vector<std::size_t> lanes;
+    for (const Chunk& chunk : chunks_) {
+      lanes.insert(lanes.end(), chunk.outside.begin(), chunk.outside.end());
+    }
+    return lanes;
+  }
+
+  /// visit(lane, bin) for the particles of some bins, by rising lane. As lanes lie in about the
+  /// order of their bins already, few chunks have any.
+  template <typename Visit>
+  void for_each_in(BinRange bins, Visit visit) const {
+    for (std::size_t chunk = 0; chunk < chunks_.size(); ++chunk) {
+      if (chunks_[chunk].lowest >= bins.last || chunks_[chunk].highest < bins.first) {
+        continue;
+      }
+      const std::size_t last = std::min((chunk + 1) * kLanesOfChunk, bin_.size());
+      for (std::size_t lane = chunk * kLanesOfChunk; lane < last; ++lane) {
+        if (bin_[lane] >= bins.first && bin_[lane] < bins.last) {
+          visit(lane, bin_[lane]);
+        }
+      }
+    }
+  }
+
+ private:
+  static constexpr std::uint32_t kNoBin = std::numeric_limits<std::uint32_t>::max();
+
+  struct Chunk {
+    std::uint32_t lowest = kNoBin;
+    std::uint32_t highest = 0;
+    std::vector<std::size_t> outside;
+  };
+
+  template <int Dim>
+  Chunk find_bins(const Particles<Dim>& particles, const Grid<Dim>& grid, int layer,
+                  LaneRange lanes) {
+    Chunk chunk;
+    for (std::size_t lane = lanes.first; lane < lanes.last; ++lane) {
+      bin_[lane] = kNoBin;
+      if (particles.is_padding(lane)) {
+        continue;
+      }
+      if (const std::optional<std::uint32_t> bin = bin_of(particles, grid, layer, lane)) {
+        bin_[lane] = *bin;
+        chunk.lowest = std::min(chunk.lowest, *bin);
+        chunk.highest = std::max(chunk.highest, *bin);
+      } else {
+        chunk.outside.push_back(lane);
+      }
+    }
+    return chunk;
+  }
+
+  Column<std::uint32_t> bin_;  // by lane
+  std::vector<Chunk> chunks_;  // of lanes
+};
 
 /// The new layout: every slot of a group holds one material, so that kernels read its constants
 /// once for eight lanes.
@@ -82,13 +191,9 @@ class Layout {
 
 template <typename Column, typename Value>
 void permute(Column& column, const Source& source, Value padding, Workers& workers) {
-  constexpr std::size_t kChunk = 1 << 14;
   Column scratch(source.size());
-  const auto chunks = static_cast<std::ptrdiff_t>((source.size() + kChunk - 1) / kChunk);
-  workers.for_each(chunks, [&](std::ptrdiff_t chunk) {
-    const std::size_t first = static_cast<std::size_t>(chunk) * kChunk;
-    const std::size_t last = std::min(first + kChunk, source.size());
-    for (std::size_t lane = first; lane < last; ++lane) {
+  for_each_chunk(source.size(), workers, [&](std::size_t, LaneRange lanes) {
+    for (std::size_t lane = lanes.first; lane < lanes.last; ++lane) {
       scratch[lane] = source[lane] == kNoSource ? padding : column[source[lane]];
     }
   });
@@ -96,83 +201,77 @@ void permute(Column& column, const Source& source, Value padding, Workers& worke
 }
 
 template <int Dim>
-void put_padding_on_nodes(Particles<Dim>& particles, const Grid<Dim>& grid, int layer) {
-  for (std::size_t group = 0; group + 1 < particles.group_begin.size(); ++group) {
-    const std::size_t first = particles.group_begin[group] * kGroupWidth;
-    const std::size_t last = particles.group_begin[group + 1] * kGroupWidth;
-    for (std::size_t index = first; index < last; ++index) {
-      if (particles.is_padding(index)) {
-        const std::size_t bin = group * kGroupWidth + index % kGroupWidth;
-        const Vector node = grid.position(static_cast<std::ptrdiff_t>(bin), layer);
-        for (int a = 0; a < Dim; ++a) {
-          particles.position[a][index] = node[a];
+LaneRange lanes_of(const Particles<Dim>& particles, BinRange bins) {
+  return {particles.group_begin[bins.first / kGroupWidth] * kGroupWidth,
+          particles.group_begin[bins.last / kGroupWidth] * kGroupWidth};
+}
+
+template <int Dim>
+void put_padding_on_nodes(Particles<Dim>& particles, const Grid<Dim>& grid, int layer,
+                          const Stripes& stripes, Workers& workers) {
+  stripes.for_each(workers, [&](BinRange stripe) {
+    for (std::size_t group = stripe.first / kGroupWidth; group < stripe.last / kGroupWidth;
+         ++group) {
+      const std::size_t first = particles.group_begin[group] * kGroupWidth;
+      const std::size_t last = particles.group_begin[group + 1] * kGroupWidth;
+      for (std::size_t index = first; index < last; ++index) {
+        if (particles.is_padding(index)) {
+          const std::size_t bin = group * kGroupWidth + index % kGroupWidth;
+          const Vector node = grid.position(static_cast<std::ptrdiff_t>(bin), layer);
+          for (int a = 0; a < Dim; ++a) {
+            particles.position[a][index] = node[a];
+          }
         }
       }
     }
-  }
+  });
+}
+
+/// Lays the particles out anew, and says where each lane takes its particle from.
+template <int Dim>
+Source lay_out(Particles<Dim>& particles, const BinsOfLanes& bins, const Stripes& stripes,
+               const std::vector<std::uint8_t>& material_of_id, Workers& workers) {
+  const std::size_t materials =
+      1 + static_cast<std::size_t>(*std::max_element(material_of_id.begin(), material_of_id.end()));
+  Layout layout(stripes.groups() * kGroupWidth, materials);
+  stripes.for_each(workers, [&](BinRange stripe) {
+    bins.for_each_in(stripe, [&](std::size_t lane, std::uint32_t bin) {
+      layout.add(bin, material_of_id[particles.id[lane]]);
+    });
+  });
+  layout.place_slots(particles);
+  Source source(particles.slot_material.size() * kGroupWidth);
+  stripes.for_each(workers, [&](BinRange stripe) {
+    const LaneRange lanes = lanes_of(particles, stripe);
+    std::fill(source.data() + lanes.first, source.data() + lanes.last, kNoSource);
+    bins.for_each_in(stripe, [&](std::size_t lane, std::uint32_t bin) {
+      source[layout.next_lane(bin, material_of_id[particles.id[lane]])] =
+          static_cast<std::uint32_t>(lane);
+    });
+  });
+  return source;
 }
 
 }  // namespace
 
 template <int Dim>
-Particles<Dim> particles_from(const std::vector<ParticleSeed>& seeds) {
-  Particles<Dim> particles;
-  particles.count = seeds.size();
-  particles.for_each_column([&](auto& column, auto) { column.assign(seeds.size(), {}); });
-  for (std::size_t i = 0; i < seeds.size(); ++i) {
-    for (int a = 0; a < Dim; ++a) {
-      particles.position[a][i] = seeds[i].position[a];
-      particles.velocity[a][i] = seeds[i].velocity[a];
-    }
-    particles.volume[i] = seeds[i].volume;
-    particles.mass[i] = seeds[i].mass;
-    particles.failure_step[i] = -1;
-    particles.id[i] = static_cast<std::uint32_t>(i);
-  }
-  return particles;
-}
-
-template <int Dim>
 std::vector<std::size_t> bin_particles(Particles<Dim>& particles,
                                        const std::vector<std::uint8_t>& material_of_id,
                                        const Grid<Dim>& grid, Workers& workers, int layer) {
-  const std::size_t materials =
-      1 + static_cast<std::size_t>(*std::max_element(material_of_id.begin(), material_of_id.end()));
-  Layout layout(static_cast<std::size_t>(grid.rows() * grid.row_stride()), materials);
-  std::vector<std::uint32_t> bin(particles.lanes());
-  std::vector<std::size_t> outside;
-  for (std::size_t i = 0; i < particles.lanes(); ++i) {
-    if (particles.is_padding(i)) {
-      continue;
-    }
-    if (const std::optional<std::uint32_t> home = bin_of(particles, grid, layer, i)) {
-      bin[i] = *home;
-      layout.add(bin[i], material_of_id[particles.id[i]]);
-    } else {
-      outside.push_back(i);
-    }
-  }
-  if (!outside.empty()) {
+  const BinsOfLanes bins(particles, grid, layer, workers);
+  if (std::vector<std::size_t> outside = bins.outside(); !outside.empty()) {
     std::sort(outside.begin(), outside.end(),
               [&](std::size_t a, std::size_t b) { return particles.id[a] < particles.id[b]; });
     return outside;
   }
-  layout.place_slots(particles);
-  Source source(particles.slot_material.size() * kGroupWidth, kNoSource);
-  for (std::size_t i = 0; i < particles.lanes(); ++i) {
-    if (!particles.is_padding(i)) {
-      source[layout.next_lane(bin[i], material_of_id[particles.id[i]])] =
-          static_cast<std::uint32_t>(i);
-    }
-  }
+  const Stripes stripes(static_cast<std::size_t>(grid.rows() * grid.groups_in_row()), workers);
+  const Source source = lay_out(particles, bins, stripes, material_of_id, workers);
   particles.for_each_column(
       [&](auto& column, auto padding) { permute(column, source, padding, workers); });
-  put_padding_on_nodes(particles, grid, layer);
+  put_padding_on_nodes(particles, grid, layer, stripes, workers);
   return {};
 }
 
-template Particles<2> particles_from<2>(const std::vector<ParticleSeed>&);
-template Particles<3> particles_from<3>(const std::vector<ParticleSeed>&);
 template std::vector<std::size_t> bin_particles<2>(Particles<2>&, const std::vector<std::uint8_t>&,
                                                    const Grid<2>&, Workers&, int);
 template std::vector<std::size_t> bin_particles<3>(Particles<3>&, const std::vector<std::uint8_t>&,

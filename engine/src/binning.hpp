@@ -9,10 +9,6 @@
 
 namespace rgimp {
 
-/// Particles as the case gives them, not yet in bins; velocities and masses set, stress zero.
-template <int Dim>
-Particles<Dim> particles_from(const std::vector<ParticleSeed>& seeds);
-
 /// Sorts particles into the bins of their nearest nodes, in groups of eight bins, keeping the
 /// present order within a bin. Padding lanes are put on their bin's node. Bins are those of the
 /// grid's `layer`.

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <new>
+#include <utility>
 #include <vector>
 
 namespace rgimp {
@@ -15,7 +16,7 @@ inline constexpr std::size_t kHugePage = std::size_t{2} << 20;
 void advise_huge_pages(void* memory, std::size_t bytes);
 
 /// Allocates on cache lines, so that whole groups load aligned on every ISA, and large columns on
-/// huge pages.
+/// huge pages. Elements that are given no value have none.
 template <typename T>
 struct ColumnAllocator {
   using value_type = T;
@@ -34,6 +35,16 @@ struct ColumnAllocator {
   }
   void deallocate(T* memory, std::size_t count) {
     ::operator delete(memory, alignment_of(count * sizeof(T)));
+  }
+  /// Without a value an element is left as it is: what fills a column, on all threads, touches its
+  /// memory first.
+  template <typename Element>
+  void construct(Element* element) noexcept {
+    ::new (static_cast<void*>(element)) Element;
+  }
+  template <typename Element, typename... Values>
+  void construct(Element* element, Values&&... values) {
+    ::new (static_cast<void*>(element)) Element(std::forward<Values>(values)...);
   }
   bool operator==(const ColumnAllocator&) const { return true; }
 

@@ -24,14 +24,50 @@ std::uint8_t material_index(const Case& settings, std::size_t body) {
   return static_cast<std::uint8_t>(std::distance(settings.materials.begin(), found));
 }
 
-/// Of all bodies; at least as many as there are particles.
-std::size_t lattice_points(const Case& settings) {
-  std::int64_t points = 0;
-  for (const Body& body : settings.bodies) {
-    const Lattice lattice(settings, body);
-    points += lattice.columns() * lattice.rows() * lattice.planes();
+/// The particles of one body, by rows of its lattice. Refers to the case.
+class BodySeeds {
+ public:
+  BodySeeds(const Case& settings, std::size_t index)
+      : lattice_(settings, settings.bodies[index]), rock_(settings, settings.bodies[index]) {
+    const Body& body = settings.bodies[index];
+    seed_.material = material_index(settings, index);
+    seed_.velocity = body.velocity;
+    seed_.volume =
+        lattice_.pitch() * lattice_.pitch() * (settings.dimension == 3 ? lattice_.pitch() : 1.0);
+    seed_.mass = settings.materials.at(body.material).density * seed_.volume;
   }
-  return static_cast<std::size_t>(points);
+
+  /// Of all planes.
+  std::int64_t rows() const { return lattice_.rows() * lattice_.planes(); }
+  /// At least as many as there are particles in so many rows.
+  std::size_t points(std::int64_t rows) const {
+    return static_cast<std::size_t>(rows * lattice_.columns());
+  }
+
+  void append(Lattice::Range rows, std::vector<ParticleSeed>& seeds) const {
+    ParticleSeed seed = seed_;
+    for (std::int64_t row = rows.first; row < rows.last; ++row) {
+      for (std::int64_t column = 0; column < lattice_.columns(); ++column) {
+        seed.position = lattice_.point(column, row % lattice_.rows(), row / lattice_.rows());
+        if (rock_.contains(seed.position)) {
+          seeds.push_back(seed);
+        }
+      }
+    }
+  }
+
+ private:
+  Lattice lattice_;
+  Rock rock_;
+  ParticleSeed seed_;  // but for its position
+};
+
+std::vector<BodySeeds> seeds_of_bodies(const Case& settings) {
+  std::vector<BodySeeds> bodies;
+  for (std::size_t index = 0; index < settings.bodies.size(); ++index) {
+    bodies.emplace_back(settings, index);
+  }
+  return bodies;
 }
 
 }  // namespace
@@ -73,29 +109,41 @@ GridExtent grid_extent(const Case& settings) {
 }
 
 std::vector<ParticleSeed> seed_particles(const Case& settings) {
+  const std::vector<BodySeeds> bodies = seeds_of_bodies(settings);
+  std::size_t points = 0;
+  for (const BodySeeds& body : bodies) {
+    points += body.points(body.rows());
+  }
   std::vector<ParticleSeed> seeds;
-  seeds.reserve(lattice_points(settings));  // growing would take half as much again
-  for (std::size_t b = 0; b < settings.bodies.size(); ++b) {
-    const Body& body = settings.bodies[b];
-    const Lattice lattice(settings, body);
-    const Rock rock(settings, body);
-    ParticleSeed seed;
-    seed.material = material_index(settings, b);
-    seed.velocity = body.velocity;
-    seed.volume =
-        lattice.pitch() * lattice.pitch() * (settings.dimension == 3 ? lattice.pitch() : 1.0);
-    seed.mass = settings.materials.at(body.material).density * seed.volume;
-    for (std::int64_t plane = 0; plane < lattice.planes(); ++plane) {
-      for (std::int64_t row = 0; row < lattice.rows(); ++row) {
-        for (std::int64_t column = 0; column < lattice.columns(); ++column) {
-          seed.position = lattice.point(column, row, plane);
-          if (rock.contains(seed.position)) {
-            seeds.push_back(seed);
-          }
-        }
-      }
+  seeds.reserve(points);  // growing would take half as much again
+  for (const BodySeeds& body : bodies) {
+    body.append({0, body.rows()}, seeds);
+  }
+  return seeds;
+}
+
+SeedParts seed_particles(const Case& settings, Workers& workers) {
+  constexpr std::size_t kPointsOfPart = 1 << 14;
+  struct Part {
+    const BodySeeds& body;
+    Lattice::Range rows;
+  };
+  const std::vector<BodySeeds> bodies = seeds_of_bodies(settings);
+  std::vector<Part> parts;
+  for (const BodySeeds& body : bodies) {
+    const auto rows =
+        static_cast<std::int64_t>(1 + kPointsOfPart / std::max<std::size_t>(body.points(1), 1));
+    for (std::int64_t first = 0; first < body.rows(); first += rows) {
+      parts.push_back({body, {first, std::min(first + rows, body.rows())}});
     }
   }
+  SeedParts seeds(parts.size());
+  workers.for_each(std::ssize(parts), [&](std::ptrdiff_t index) {
+    const auto [body, rows] = parts[static_cast<std::size_t>(index)];
+    std::vector<ParticleSeed>& part = seeds[static_cast<std::size_t>(index)];
+    part.reserve(body.points(rows.last - rows.first));
+    body.append(rows, part);
+  });
   return seeds;
 }
 

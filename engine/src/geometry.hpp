@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rgimp/case.hpp"
+#include "workers.hpp"
 
 /// From the shapes of a case to its grid and particles.
 namespace rgimp {
@@ -46,5 +47,11 @@ struct ParticleSeed {
 /// 26 %, but first failure scattered more with the place of the flaw in the grid (26 % for 22 %)
 /// and came at a still lower load (0.687 MPa for 0.781, where finite elements say 1.155 or more).
 std::vector<ParticleSeed> seed_particles(const Case& settings);
+
+/// Seeds in parts, each of which goes on where the one before ends.
+using SeedParts = std::vector<std::vector<ParticleSeed>>;
+
+/// The same, found by all threads.
+SeedParts seed_particles(const Case& settings, Workers& workers);
 
 }  // namespace rgimp

@@ -10,14 +10,14 @@ Grid<Dim>::Grid(const GridExtent& extent, int particles_per_cell, double damping
       particle_half_size_(0.5 / particles_per_cell),
       groups_in_row_((extent.nodes[0] + kernels::kGroupWidth - 1) / kernels::kGroupWidth) {
   const std::size_t size = static_cast<std::size_t>(rows() * row_stride() + 2 * kHalo);
-  mass_.resize(size);
-  damping_.resize(size, damping);
+  mass_.assign(size, 0.0);
+  damping_.assign(size, damping);
   for (int a = 0; a < Dim; ++a) {
     for (int layer = 0; layer < 2; ++layer) {
-      momentum_[layer][a].resize(size);
-      force_[layer][a].resize(size);
+      momentum_[layer][a].assign(size, 0.0);
+      force_[layer][a].assign(size, 0.0);
     }
-    second_field_[a].resize(size);
+    second_field_[a].assign(size, 0.0);
   }
 }
 

@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "lane_chunks.hpp"
 #include "rgimp/error.hpp"
 
 namespace rgimp {
@@ -37,10 +38,9 @@ bool is_before(const Particles<Dim>& particles, std::size_t lane,
 
 /// The broken particle of the lowest id among some lanes.
 template <int Dim>
-std::optional<std::size_t> find_broken(Particles<Dim>& particles, std::size_t first,
-                                       std::size_t last) {
+std::optional<std::size_t> find_broken(Particles<Dim>& particles, LaneRange lanes) {
   std::optional<std::size_t> found;
-  for (std::size_t lane = first; lane < last; ++lane) {
+  for (std::size_t lane = lanes.first; lane < lanes.last; ++lane) {
     const bool sound = is_finite(particles, lane) && particles.volume[lane] > 0.0;
     if (!sound && !particles.is_padding(lane) && is_before(particles, lane, found)) {
       found = lane;
@@ -51,13 +51,9 @@ std::optional<std::size_t> find_broken(Particles<Dim>& particles, std::size_t fi
 
 template <int Dim>
 std::optional<std::size_t> find_broken(Particles<Dim>& particles, Workers& workers) {
-  constexpr std::size_t kChunk = 1 << 13;
-  const std::size_t chunks = (particles.lanes() + kChunk - 1) / kChunk;
-  std::vector<std::optional<std::size_t>> by_chunk(chunks);
-  workers.for_each(static_cast<std::ptrdiff_t>(chunks), [&](std::ptrdiff_t chunk) {
-    const std::size_t first = static_cast<std::size_t>(chunk) * kChunk;
-    by_chunk[static_cast<std::size_t>(chunk)] =
-        find_broken(particles, first, std::min(first + kChunk, particles.lanes()));
+  std::vector<std::optional<std::size_t>> by_chunk(chunks_of(particles.lanes()));
+  for_each_chunk(particles.lanes(), workers, [&](std::size_t chunk, LaneRange lanes) {
+    by_chunk[chunk] = find_broken(particles, lanes);
   });
   std::optional<std::size_t> found;
   for (const std::optional<std::size_t>& lane : by_chunk) {

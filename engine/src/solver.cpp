@@ -6,6 +6,7 @@
 
 #include "binning.hpp"
 #include "failure_limits.hpp"
+#include "particles_of_seeds.hpp"
 #include "time_step.hpp"
 
 namespace rgimp {
@@ -26,10 +27,10 @@ double least_node_mass(const Case& settings) {
 }
 
 /// m/s.
-double fastest(const std::vector<ParticleSeed>& seeds) {
+double fastest(const std::vector<Body>& bodies) {
   double most = 0.0;
-  for (const ParticleSeed& seed : seeds) {
-    most = std::max(most, seed.velocity.norm());
+  for (const Body& body : bodies) {
+    most = std::max(most, body.velocity.norm());
   }
   return most;
 }
@@ -55,7 +56,6 @@ Solver<Dim>::Solver(const Case& settings, kernels::Isa isa, Workers& workers)
   for (const auto& [name, material] : settings.materials) {
     materials_.push_back(material_constants(material, settings));
   }
-  take_seeds(seed_particles(settings));
   node_update_.dt = dt_;
   node_update_.least_mass = least_node_mass<Dim>(settings);
   for (int a = 0; a < Dim; ++a) {
@@ -66,22 +66,22 @@ Solver<Dim>::Solver(const Case& settings, kernels::Isa isa, Workers& workers)
   }
   update_.dt = dt_;
   update_.materials = materials_.data();
-  rebin();
+  ledger_.set_initial_speed(fastest(settings.bodies));
+  workers_.region([&] {
+    take_seeds(seed_particles(settings, workers_));
+    rebin();
+  });
   rebins_ = 0;
 }
 
 template <int Dim>
-void Solver<Dim>::take_seeds(const std::vector<ParticleSeed>& seeds) {
-  material_of_id_.reserve(seeds.size());
-  for (const ParticleSeed& seed : seeds) {
-    material_of_id_.push_back(seed.material);
-  }
-  particles_ = particles_from<Dim>(seeds);
+void Solver<Dim>::take_seeds(const SeedParts& seeds) {
+  material_of_id_ = materials_of(seeds, workers_);
+  particles_ = particles_from<Dim>(seeds, workers_);
   if (std::any_of(materials_.begin(), materials_.end(),
                   [](const kernels::MaterialConstants& material) { return material.softens; })) {
-    particles_.damage.assign(seeds.size(), 0.0);
+    particles_.damage.assign(particles_.count, 0.0);
   }
-  ledger_.set_initial_speed(fastest(seeds));
 }
 
 // ---- the step -------------------------------------------------------------------------------

@@ -80,7 +80,7 @@ class Solver {
   using Range = kernels::RowRange;
   using View = kernels::GridView<Dim>;
 
-  void take_seeds(const std::vector<ParticleSeed>& seeds);
+  void take_seeds(const SeedParts& seeds);
 
   // Phases of a step; each returns when all bands are done.
   void accelerate();

@@ -6,6 +6,7 @@
 
 #include "binning.hpp"
 #include "failure_limits.hpp"
+#include "particles_of_seeds.hpp"
 #include "rgimp/kernels/table.hpp"
 
 namespace rgimp::tests {
@@ -37,7 +38,7 @@ class OneParticle {
     seed.position = kCell * (centre() + offset_cells);
     seed.volume = (Dim == 2 ? 0.25 : 0.125 * kCell) * kCell * kCell;
     seed.mass = material.density * seed.volume;
-    particles_ = particles_from<Dim>({seed});
+    particles_ = particles_from<Dim>({{seed}}, workers_);
     if (constants_.softens) {
       particles_.damage = {0.0};
     }

@@ -6,6 +6,7 @@
 
 #include "binning.hpp"
 #include "floating_point_traps.hpp"
+#include "particles_of_seeds.hpp"
 
 namespace rgimp::tests {
 namespace {
@@ -42,25 +43,17 @@ std::vector<ParticleSeed> random_seeds(std::size_t count) {
   return seeds;
 }
 
-std::vector<std::uint8_t> materials_of(const std::vector<ParticleSeed>& seeds) {
-  std::vector<std::uint8_t> materials;
-  materials.reserve(seeds.size());
-  for (const ParticleSeed& seed : seeds) {
-    materials.push_back(seed.material);
-  }
-  return materials;
-}
-
 }  // namespace
 
 TEMPLATE_TEST_CASE_SIG(
     "binning puts each particle, with all it carries, in a lane of its nearest node", "",
     ((int Dim), Dim), 2, 3) {
   const std::vector<ParticleSeed> seeds = random_seeds<Dim>(3000);
+  const SeedParts parts{seeds};
   const Grid<Dim> grid(extent<Dim>(), 2, 0.0);
   Workers workers(2);
-  Particles<Dim> particles = particles_from<Dim>(seeds);
-  REQUIRE(bin_particles(particles, materials_of(seeds), grid, workers).empty());
+  Particles<Dim> particles = particles_from<Dim>(parts, workers);
+  REQUIRE(bin_particles(particles, materials_of(parts, workers), grid, workers).empty());
 
   std::set<std::uint32_t> ids;
   for (std::size_t group = 0; group + 1 < particles.group_begin.size(); ++group) {
@@ -96,14 +89,41 @@ TEMPLATE_TEST_CASE_SIG(
 
 TEMPLATE_TEST_CASE_SIG("binning again changes nothing, and keeps the order within a bin", "",
                        ((int Dim), Dim), 2, 3) {
-  const std::vector<ParticleSeed> seeds = random_seeds<Dim>(2000);
+  const SeedParts seeds{random_seeds<Dim>(2000)};
   const Grid<Dim> grid(extent<Dim>(), 2, 0.0);
   Workers workers(2);
-  Particles<Dim> particles = particles_from<Dim>(seeds);
-  REQUIRE(bin_particles(particles, materials_of(seeds), grid, workers).empty());
+  Particles<Dim> particles = particles_from<Dim>(seeds, workers);
+  REQUIRE(bin_particles(particles, materials_of(seeds, workers), grid, workers).empty());
   const Column<std::uint32_t> once = particles.id;
-  REQUIRE(bin_particles(particles, materials_of(seeds), grid, workers).empty());
+  REQUIRE(bin_particles(particles, materials_of(seeds, workers), grid, workers).empty());
   REQUIRE(particles.id == once);
+}
+
+TEMPLATE_TEST_CASE_SIG("any number of threads bins seeds to the same lanes", "", ((int Dim), Dim),
+                       2, 3) {
+  // More than one chunk of lanes, in parts of which one is empty.
+  const SeedParts seeds{random_seeds<Dim>(15000), {}, random_seeds<Dim>(8000)};
+  const Grid<Dim> grid(extent<Dim>(), 2, 0.0);
+  const auto bin_on = [&](int threads) {
+    Workers workers(threads);
+    Particles<Dim> particles;
+    workers.region([&] {
+      particles = particles_from<Dim>(seeds, workers);
+      REQUIRE(bin_particles(particles, materials_of(seeds, workers), grid, workers).empty());
+    });
+    return particles;
+  };
+  const Particles<Dim> alone = bin_on(1);
+  REQUIRE(alone.count == 23000);
+  for (const int threads : {2, 5}) {
+    const Particles<Dim> together = bin_on(threads);
+    REQUIRE(together.id == alone.id);
+    REQUIRE(together.position == alone.position);
+    REQUIRE(together.mass == alone.mass);
+    REQUIRE(together.failure_mode == alone.failure_mode);
+    REQUIRE(together.group_begin == alone.group_begin);
+    REQUIRE(together.slot_material == alone.slot_material);
+  }
 }
 
 TEMPLATE_TEST_CASE_SIG("a particle out of the grid, or nowhere, is named and nothing is moved", "",
@@ -113,11 +133,12 @@ TEMPLATE_TEST_CASE_SIG("a particle out of the grid, or nowhere, is named and not
     std::vector<ParticleSeed> seeds = random_seeds<Dim>(20);
     seeds[7].position.x() = x;
     seeds[11].position[Dim - 1] = 1.0;
+    const SeedParts parts{seeds};
     const Grid<Dim> grid(extent<Dim>(), 2, 0.0);
     Workers workers(1);
-    Particles<Dim> particles = particles_from<Dim>(seeds);
+    Particles<Dim> particles = particles_from<Dim>(parts, workers);
     const Column<std::uint32_t> before = particles.id;
-    REQUIRE(bin_particles(particles, materials_of(seeds), grid, workers) ==
+    REQUIRE(bin_particles(particles, materials_of(parts, workers), grid, workers) ==
             std::vector<std::size_t>{7, 11});
     REQUIRE(particles.id == before);
   }

@@ -72,6 +72,36 @@ TEST_CASE("particles sit at the centres of their parts of a cell") {
   CHECK(total_volume(seeds) == Approx(20e-3 * 10e-3).epsilon(1e-12));
 }
 
+TEST_CASE("all threads together find the particles that one finds") {
+  rgimp::Case plane = block();
+  plane.grid.cell_size = 0.1e-3;  // several parts
+  plane.flaws.push_back(slot(5e-3, 0.4e-3, 30.0, rgimp::SlotEnds::round));
+  plane.bodies.push_back(plane.bodies[0]);
+  plane.bodies[1].center.x() += 20e-3;
+  rgimp::Case solid = rgimp::read_case(kExamples / "brazilian_cylinder.toml");
+  solid.grid.cell_size = 1e-3;
+  for (const rgimp::Case& settings : {plane, solid}) {
+    const auto expected = rgimp::seed_particles(settings);
+    rgimp::Workers workers(3);
+    std::vector<rgimp::ParticleSeed> seeds;
+    workers.region([&] {
+      const rgimp::SeedParts parts = rgimp::seed_particles(settings, workers);
+      REQUIRE(parts.size() > settings.bodies.size());
+      for (const auto& part : parts) {
+        seeds.insert(seeds.end(), part.begin(), part.end());
+      }
+    });
+    REQUIRE(seeds.size() == expected.size());
+    for (std::size_t i = 0; i < seeds.size(); ++i) {
+      REQUIRE(seeds[i].position == expected[i].position);
+      REQUIRE(seeds[i].velocity == expected[i].velocity);
+      REQUIRE(seeds[i].volume == expected[i].volume);
+      REQUIRE(seeds[i].mass == expected[i].mass);
+      REQUIRE(seeds[i].material == expected[i].material);
+    }
+  }
+}
+
 TEST_CASE("round-off in the sizes changes no count") {
   for (int cells = 1; cells <= 300; ++cells) {
     for (const double cell : {0.1, 0.7e-3, 1.0 / 3.0, 1e-5}) {
