@@ -16,7 +16,9 @@ inline constexpr std::size_t kHugePage = std::size_t{2} << 20;
 void advise_huge_pages(void* memory, std::size_t bytes);
 
 /// Allocates on cache lines, so that whole groups load aligned on every ISA, and large columns on
-/// huge pages. Elements that are given no value have none.
+/// huge pages. Elements that are given no value have none. All large columns start at the same
+/// place in a page; starting each some cache lines farther on was tried for its steps, and made
+/// 0.89 to 1.08 of the speed in several runs: noise.
 template <typename T>
 struct ColumnAllocator {
   using value_type = T;
