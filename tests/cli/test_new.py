@@ -14,7 +14,7 @@ TEMPLATES = {"single-flaw": "single_flaw", "double-flaw": "double_flaw",
              "penny-flaw": "block_penny_flaw", "brazilian-cylinder": "brazilian_cylinder"}
 # Millions of particles as they stand; the checks of memory and values are the same.
 COARSE = {"penny-flaw": ("--set", "grid.cell_size=3.125e-3", "--set", "flaw[0].width=9.375e-3"),
-          "brazilian-cylinder": ("--set", "grid.cell_size=2e-3")}
+          "brazilian-cylinder": ("--set", "grid.cell_size=1.6e-3")}
 
 
 class NewTest(CommandTest):

@@ -102,15 +102,18 @@ class ExamplesTest(CommandTest):
         self.assertLess(cracks["failed"], 500)
 
     def test_brazilian_cylinder(self):
-        """It splits from platen to platen, at 2 P / (pi D t) near its strength of 2 MPa: with ten
-        cells across the radius at 1.60 MPa."""
+        """It splits through its middle from platen to platen, in tension, at 2 P / (pi D t) near its
+        strength of 1 MPa: in these cells at 1.05 MPa."""
         summary, cracks = self.run_coarse("brazilian_cylinder")
+        self.assertEqual(summary["failed_shear"], 0)
         strength = 2 / numpy.pi * summary["peak_axial_stress_Pa"]
-        self.assertGreater(strength, 1.5e6)
-        self.assertLess(strength, 2.0e6)
-        heights = [crack["extent"][-1]["max_m"][1] - crack["extent"][-1]["min_m"][1]
-                   for crack in cracks["cracks"]]
-        self.assertGreater(max(heights), 35e-3)  # of 40 mm
+        self.assertGreater(strength, 0.9e6)
+        self.assertLess(strength, 1.1e6)
+        ends = [crack["extent"][-1] for crack in cracks["cracks"]]
+        tallest = max(ends, key=lambda end: end["max_m"][1] - end["min_m"][1])
+        self.assertGreater(tallest["max_m"][1] - tallest["min_m"][1], 35e-3)  # of 40 mm
+        self.assertLess(tallest["min_m"][0], 0.0)
+        self.assertGreater(tallest["max_m"][0], 0.0)
 
 
 if __name__ == "__main__":
