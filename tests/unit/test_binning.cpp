@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <random>
 #include <set>
@@ -142,6 +144,28 @@ TEMPLATE_TEST_CASE_SIG("a particle out of the grid, or nowhere, is named and not
             std::vector<std::size_t>{7, 11});
     REQUIRE(particles.id == before);
   }
+}
+
+TEMPLATE_TEST_CASE_SIG("particles out of the grid are named in the order of their ids", "",
+                       ((int Dim), Dim), 2, 3) {
+  const SeedParts seeds{random_seeds<Dim>(200)};
+  const Grid<Dim> grid(extent<Dim>(), 2, 0.0);
+  Workers workers(1);
+  Particles<Dim> particles = particles_from<Dim>(seeds, workers);
+  const std::vector<std::uint8_t> materials = materials_of(seeds, workers);
+  REQUIRE(bin_particles(particles, materials, grid, workers).empty());
+  const auto lane_of = [&](std::uint32_t id) {
+    return static_cast<std::size_t>(std::distance(
+        particles.id.begin(), std::find(particles.id.begin(), particles.id.end(), id)));
+  };
+  std::uint32_t later = 1;  // in the order of ids, not of lanes
+  while (lane_of(later) > lane_of(0)) {
+    ++later;
+  }
+  particles.position[0][lane_of(0)] = 1.0;
+  particles.position[0][lane_of(later)] = 1.0;
+  REQUIRE(bin_particles(particles, materials, grid, workers) ==
+          std::vector<std::size_t>{lane_of(0), lane_of(later)});
 }
 
 }  // namespace rgimp::tests
