@@ -99,8 +99,8 @@ class BinsOfLanes {
       if (chunks_[chunk].lowest >= bins.last || chunks_[chunk].highest < bins.first) {
         continue;
       }
-      const std::size_t last = std::min((chunk + 1) * kLanesOfChunk, bin_.size());
-      for (std::size_t lane = chunk * kLanesOfChunk; lane < last; ++lane) {
+      const LaneRange lanes = lanes_of_chunk(chunk, bin_.size());
+      for (std::size_t lane = lanes.first; lane < lanes.last; ++lane) {
         if (bin_[lane] >= bins.first && bin_[lane] < bins.last) {
           visit(lane, bin_[lane]);
         }
@@ -208,21 +208,25 @@ LaneRange lanes_of(const Particles<Dim>& particles, BinRange bins) {
 
 template <int Dim>
 void put_padding_on_nodes(Particles<Dim>& particles, const Grid<Dim>& grid, int layer,
+                          BinRange group) {
+  const LaneRange lanes = lanes_of(particles, group);
+  for (std::size_t index = lanes.first; index < lanes.last; ++index) {
+    if (particles.is_padding(index)) {
+      const std::size_t bin = group.first + index % kGroupWidth;
+      const Vector node = grid.position(static_cast<std::ptrdiff_t>(bin), layer);
+      for (int a = 0; a < Dim; ++a) {
+        particles.position[a][index] = node[a];
+      }
+    }
+  }
+}
+
+template <int Dim>
+void put_padding_on_nodes(Particles<Dim>& particles, const Grid<Dim>& grid, int layer,
                           const Stripes& stripes, Workers& workers) {
   stripes.for_each(workers, [&](BinRange stripe) {
-    for (std::size_t group = stripe.first / kGroupWidth; group < stripe.last / kGroupWidth;
-         ++group) {
-      const std::size_t first = particles.group_begin[group] * kGroupWidth;
-      const std::size_t last = particles.group_begin[group + 1] * kGroupWidth;
-      for (std::size_t index = first; index < last; ++index) {
-        if (particles.is_padding(index)) {
-          const std::size_t bin = group * kGroupWidth + index % kGroupWidth;
-          const Vector node = grid.position(static_cast<std::ptrdiff_t>(bin), layer);
-          for (int a = 0; a < Dim; ++a) {
-            particles.position[a][index] = node[a];
-          }
-        }
-      }
+    for (std::uint32_t bin = stripe.first; bin < stripe.last; bin += kGroupWidth) {
+      put_padding_on_nodes(particles, grid, layer, {bin, bin + kGroupWidth});
     }
   });
 }

@@ -19,13 +19,17 @@ inline std::size_t chunks_of(std::size_t lanes) {
   return (lanes + kLanesOfChunk - 1) / kLanesOfChunk;
 }
 
+/// Of so many lanes, those of one chunk.
+inline LaneRange lanes_of_chunk(std::size_t chunk, std::size_t lanes) {
+  return {chunk * kLanesOfChunk, std::min((chunk + 1) * kLanesOfChunk, lanes)};
+}
+
 /// visit(chunk, its lanes) for all chunks of so many lanes, on all threads.
 template <typename Visit>
 void for_each_chunk(std::size_t lanes, Workers& workers, Visit visit) {
   workers.for_each(static_cast<std::ptrdiff_t>(chunks_of(lanes)), [&](std::ptrdiff_t index) {
     const auto chunk = static_cast<std::size_t>(index);
-    const std::size_t first = chunk * kLanesOfChunk;
-    visit(chunk, LaneRange{first, std::min(first + kLanesOfChunk, lanes)});
+    visit(chunk, lanes_of_chunk(chunk, lanes));
   });
 }
 

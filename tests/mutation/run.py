@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Do the tests notice errors? Builds every mutant of mutants/*.toml in a copy of the sources, runs
-the tests on it, and writes outcomes.json and RESULTS.md. All of it takes some
-four hours on a core."""
+the tests on it, and writes outcomes.json and RESULTS.md. All of it takes some four hours on a
+core."""
 
 import argparse
 import sys
